@@ -1,0 +1,55 @@
+// The raster tube: frame buffer, scan, beam, phosphor; exposures of its light.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "display/exposure.h"
+#include "display/frame_buffer.h"
+#include "display/phosphor.h"
+#include "display/raster_scan.h"
+#include "raster/base/workers.h"
+#include "raster/image/image.h"
+
+namespace kinescope {
+
+struct TubeSettings {
+  VideoMode mode;
+  std::string phosphor = "P22";   ///< "P22" for the colour triple, or a monochrome type
+  double gamma = 2.35;            ///< light = drive ^ gamma (EBU reference display)
+  double spot_sigma_lines = 0.3;  ///< vertical standard deviation of the spot, in scan-line pitches
+  double spot_sigma_pixels = 0.4;  ///< horizontal standard deviation, in mode pixels
+};
+
+/// A tube's light. Copying one copies the phosphor's whole state (so a demo can step back).
+/// Exposures must follow each other in time without gaps; each scans the frame buffer as it then
+/// is.
+class RasterTube {
+ public:
+  RasterTube(const TubeSettings& settings, int width, int height);
+  RasterTube(const RasterTube&);
+  RasterTube& operator=(const RasterTube&);
+  RasterTube(RasterTube&&) noexcept;
+  RasterTube& operator=(RasterTube&&) noexcept;
+  ~RasterTube();
+
+  const RasterScan& scan() const;
+  const TubeSettings& settings() const;
+  /// The end of the last exposure; 0 at first.
+  Seconds now() const;
+  /// Darkens the faceplate and returns to time 0.
+  void reset();
+  /// Changes the picture's size in output pixels; the phosphor keeps its state.
+  void resize(int width, int height);
+
+  /// The light of [now, end), per output pixel, in refresh-periods of steady white: exposing one
+  /// whole frame period of a steady white picture gives 1. Retrace flips the buffer's waiting page.
+  /// @return valid until the next call
+  const Image<LinearRgb>& expose(FrameBuffer& buffer, Seconds end, Workers& workers);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace kinescope

@@ -1,0 +1,26 @@
+// Automatic framing: a camera and lights that show any model well.
+#pragma once
+
+#include "engine/scene.h"
+
+namespace kinescope {
+
+/// Bounds of everything drawn, world space. Non-finite vertices are passed over.
+struct Bounds {
+  glm::vec3 min{0.0f};
+  glm::vec3 max{0.0f};
+  bool empty = true;
+  glm::vec3 centre() const { return (min + max) * 0.5f; }
+  float radius() const;
+};
+Bounds world_bounds(const Scene& scene);
+
+/// A camera that looks at the whole scene from the direction given by two angles, radians:
+/// azimuth about the y axis from +z, elevation above the horizon.
+Camera frame_scene(const Scene& scene, float aspect, float azimuth_rad = 0.6f,
+                   float elevation_rad = 0.35f, float fov_y_rad = 0.7f);
+
+/// Key, fill and rim light fitted to the scene's size; used when a model brings none.
+void add_default_lights(Scene& scene, const Camera& camera);
+
+}  // namespace kinescope

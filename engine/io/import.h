@@ -1,0 +1,17 @@
+// Model files: one entry for every format.
+#pragma once
+
+#include <string>
+
+#include "engine/scene.h"
+#include "raster/base/error.h"
+
+namespace kinescope {
+
+/// Reads a model, choosing the reader by content where the format has a mark (glTF, GLB, PLY, OFF,
+/// binary STL by its size), else by the file's ending. Textures and material files are looked for
+/// beside the model. Missing normals are computed. What can be worked around is told in `warnings`.
+/// @throws Error (bad input) naming the file and the place in it
+Scene import_model(const std::string& path, Warnings& warnings);
+
+}  // namespace kinescope

@@ -1,0 +1,44 @@
+// The rasterizer's input: triangles in device space, and what to call for their colour.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "raster/batch.h"
+
+namespace kinescope {
+
+/// Projected vertices, structure of arrays of equal length. Device space: pixels, y down, the
+/// centre of the top left pixel at (0.5, 0.5). Coordinates lie within the guard band.
+struct DeviceVertices {
+  /// The rasterizer is exact for coordinates in [-kGuardBand, kGuardBand] pixels.
+  static constexpr float kGuardBand = 32768.0f;
+
+  std::span<const float> x_px;
+  std::span<const float> y_px;
+  std::span<const float> z;      ///< depth, 0 near to 1 far, linear in device space
+  std::span<const float> inv_w;  ///< 1 / w of clip space, positive
+};
+
+/// Which triangles are thrown away. Front faces are counter-clockwise as seen on the screen.
+enum class CullMode { kNone, kBack, kFront };
+
+/// Triangles of one surface. The spans must live until the frame is drawn.
+struct DrawCall {
+  DeviceVertices vertices;
+  std::span<const std::uint32_t> indices;  ///< three a triangle; each below the vertex count
+  /// For triangles made by clipping: the triangle in the mesh that each came from. Empty: identity.
+  std::span<const std::uint32_t> source_triangle;
+
+  /// A row of attribute_count floats a vertex (not divided by w), attribute_stride floats apart.
+  std::span<const float> attributes;
+  int attribute_count = 0;
+  int attribute_stride = 0;
+  int texcoord_attribute = -1;  ///< attribute index of u (v follows) that needs gradients, or -1
+
+  CullMode cull = CullMode::kBack;
+  ShadeFunction shade = nullptr;
+  const void* constants = nullptr;
+};
+
+}  // namespace kinescope

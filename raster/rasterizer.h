@@ -1,0 +1,45 @@
+// The tile-parallel rasterizer: triangles to visible fragments to colour.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "raster/base/workers.h"
+#include "raster/draw_call.h"
+#include "raster/render_target.h"
+
+namespace kinescope {
+
+struct RasterizerOptions {
+  int tile_width = 0;   ///< pixels, a multiple of 8; 0 chooses by the sample count
+  int tile_height = 0;  ///< pixels, a multiple of 8; 0 chooses by the sample count
+};
+
+/// Figures of one frame. The hash is the same for any thread count, tile size and instruction set.
+struct RasterStats {
+  std::uint64_t triangles = 0;        ///< submitted
+  std::uint64_t drawn = 0;            ///< left after culling
+  std::uint64_t fragments = 0;        ///< shaded
+  std::uint64_t visibility_hash = 0;  ///< of (triangle, depth) a sample; 0 unless asked for
+};
+
+/// Opaque triangles into a target. Keeps its buffers between frames; use one from one thread.
+class Rasterizer {
+ public:
+  explicit Rasterizer(Workers& workers, RasterizerOptions options = {});
+  ~Rasterizer();
+  Rasterizer(const Rasterizer&) = delete;
+  Rasterizer& operator=(const Rasterizer&) = delete;
+
+  /// Clears the target and draws all calls. Of fragments at one depth the one submitted first wins.
+  /// @throws Error if memory for the frame cannot be had
+  RasterStats draw(RenderTarget& target, std::span<const DrawCall> calls,
+                   bool want_visibility_hash = false);
+
+ private:
+  struct Frame;
+  std::unique_ptr<Frame> frame_;
+};
+
+}  // namespace kinescope

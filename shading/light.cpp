@@ -1,0 +1,1 @@
+#include "shading/light.h"
