@@ -1,0 +1,132 @@
+#include <png.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <exception>
+
+#include "raster/base/error.h"
+#include "raster/base/output_file.h"
+#include "raster/image/codecs.h"
+#include "raster/image/limits.h"
+
+namespace kinescope {
+namespace {
+
+// Deflate cannot shrink by more than this, and the smallest pixel is one bit.
+constexpr std::int64_t kDeflateRatio = 1032;
+
+/// Everything that outlives libpng's longjmp is kept here, outside the frame that it leaves.
+struct PngSink {
+  OutputFile& file;
+  std::exception_ptr failure;
+  std::string message;
+};
+
+void write_bytes(png_structp png, png_bytep data, std::size_t size) {
+  PngSink& sink = *static_cast<PngSink*>(png_get_io_ptr(png));
+  try {
+    sink.file.write({data, size});
+    return;
+  } catch (...) {
+    sink.failure = std::current_exception();
+  }
+  png_error(png, "cannot be written");
+}
+
+void flush_bytes(png_structp) {}
+
+[[noreturn]] void keep_message(png_structp png, png_const_charp message) {
+  static_cast<PngSink*>(png_get_error_ptr(png))->message = message;
+  png_longjmp(png, 1);
+}
+
+void ignore_warning(png_structp, png_const_charp) {}
+
+struct Layout {
+  int width;
+  int height;
+  int bits;
+  bool opaque;
+};
+
+/// libpng's part of writing. No object with a destructor may live in this frame.
+bool encode_rows(png_structp png, png_infop info, const Layout& layout,
+                 const png_byte* const* rows) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_user_limits(png, kMaxImageSide, kMaxImageSide);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(layout.width),
+               static_cast<png_uint_32>(layout.height), layout.bits,
+               layout.opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  png_set_compression_level(png, 3);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
+  png_write_info(png, info);
+  if (layout.opaque) png_set_filler(png, 0, PNG_FILLER_AFTER);
+  if (layout.bits == 16) png_set_swap(png);
+  for (int y = 0; y < layout.height; ++y) png_write_row(png, rows[y]);
+  png_write_end(png, info);
+  return true;
+}
+
+template <typename Pixel>
+void write_any(const std::string& path, const Image<Pixel>& picture) {
+  assert(!picture.empty());
+  OutputFile file(path);
+  PngSink sink{file, nullptr, {}};
+  png_structp png =
+      png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, keep_message, ignore_warning);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  if (!info) {
+    png_destroy_write_struct(&png, nullptr);
+    throw Error(ErrorKind::kCannotWrite, "not enough memory to write a PNG picture", path);
+  }
+  png_set_write_fn(png, &sink, write_bytes, flush_bytes);
+  const auto pixels = picture.pixels();
+  const Pixel opaque_pixel{};
+  const bool opaque = std::all_of(pixels.begin(), pixels.end(),
+                                  [&](const Pixel& p) { return p.a == opaque_pixel.a; });
+  std::vector<const png_byte*> rows;
+  for (int y = 0; y < picture.height(); ++y) {
+    rows.push_back(reinterpret_cast<const png_byte*>(picture.row(y)));
+  }
+  const Layout layout{picture.width(), picture.height(), 8 * static_cast<int>(sizeof(pixels[0].r)),
+                      opaque};
+  const bool done = encode_rows(png, info, layout, rows.data());
+  png_destroy_write_struct(&png, &info);
+  if (sink.failure) std::rethrow_exception(sink.failure);
+  if (!done) throw Error(ErrorKind::kCannotWrite, "not written as PNG: " + sink.message, path);
+  file.commit();
+}
+
+}  // namespace
+
+Image<Srgb8> read_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  const auto fail = [&] {
+    const std::string message = header.message;
+    png_image_free(&header);
+    throw_bad_input("a damaged or cut off PNG picture (" + message + ")", name);
+  };
+  if (!png_image_begin_read_from_memory(&header, bytes.data(), bytes.size())) fail();
+  try {
+    check_image_size(header.width, header.height,
+                     8 * kDeflateRatio * static_cast<std::int64_t>(bytes.size()), name);
+    // Without this, libpng takes 16-bit samples of files that do not say for linear light.
+    header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+    header.format = PNG_FORMAT_RGBA;
+    Image<Srgb8> picture(static_cast<int>(header.width), static_cast<int>(header.height));
+    if (!png_image_finish_read(&header, nullptr, picture.row(0), 0, nullptr)) fail();
+    return picture;
+  } catch (...) {
+    png_image_free(&header);
+    throw;
+  }
+}
+
+void write_png(const std::string& path, const Image<Srgb8>& picture) { write_any(path, picture); }
+
+void write_png(const std::string& path, const Image<Srgb16>& picture) { write_any(path, picture); }
+
+}  // namespace kinescope
