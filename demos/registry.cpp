@@ -1,0 +1,34 @@
+#include "demos/registry.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "raster/base/error.h"
+
+namespace kinescope {
+
+// One function a demo, each in the demo's own file.
+DemoInfo teapot_demo();
+DemoInfo retrace_demo();
+DemoInfo frame_buffer_demo();
+DemoInfo pipeline_demo();
+
+std::span<const DemoInfo> all_demos() {
+  static const std::array kDemos = {teapot_demo(), retrace_demo(), frame_buffer_demo(),
+                                    pipeline_demo()};
+  return kDemos;
+}
+
+const DemoInfo& find_demo(std::string_view name) {
+  const auto demos = all_demos();
+  const auto found =
+      std::find_if(demos.begin(), demos.end(), [&](const DemoInfo& d) { return d.name == name; });
+  if (found != demos.end()) return *found;
+  std::string known;
+  for (const DemoInfo& demo : demos) known.append(known.empty() ? "" : ", ").append(demo.name);
+  throw Error(ErrorKind::kUsage,
+              "no demo is called \"" + std::string(name) + "\"; there are " + known);
+}
+
+}  // namespace kinescope

@@ -1,0 +1,51 @@
+#include "demos/transport.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kinescope {
+namespace {
+
+constexpr int kSlowestPlace = 15;  // three places a decade
+
+double slowdown(int place) {
+  constexpr double kMantissa[] = {1, 2, 5};
+  return kMantissa[place % 3] * std::pow(10.0, place / 3);
+}
+
+}  // namespace
+
+Transport::Transport(double time_scale) {
+  while (slowdown_ < kSlowestPlace && slowdown(slowdown_) * time_scale < 0.999) ++slowdown_;
+}
+
+bool Transport::answer(const std::string& key) {
+  if (key == "Space") {
+    paused_ = !paused_;
+  } else if (key == "." || key == ",") {
+    paused_ = true;
+    single_ = key == "." ? Move::kForward : Move::kBack;
+  } else if (key == "[" || key == "]") {
+    slowdown_ = std::clamp(slowdown_ + (key == "[" ? 1 : -1), 0, kSlowestPlace);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+Move Transport::next() {
+  const Move single = std::exchange(single_, Move::kNone);
+  if (single != Move::kNone) return single;
+  return paused_ ? Move::kNone : Move::kForward;
+}
+
+double Transport::time_scale() const { return 1 / slowdown(slowdown_); }
+
+std::string Transport::text() const {
+  return slowdown_ == 0 ? "1x" : fmt::format("1/{:.0f}x", slowdown(slowdown_));
+}
+
+}  // namespace kinescope
