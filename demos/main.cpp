@@ -1,1 +1,3 @@
-int main() { return 0; }
+#include "demos/program.h"
+
+int main(int argc, char** argv) { return kinescope::run_program(argc, argv); }

@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "demos/commands/commands.h"
+#include "demos/console.h"
+#include "demos/json.h"
+#include "demos/registry.h"
+
+namespace kinescope {
+namespace {
+
+std::string as_json() {
+  JsonWriter json;
+  json.begin_array();
+  for (const DemoInfo& demo : all_demos()) {
+    json.begin_object().member("name", demo.name).member("chapter", demo.chapter);
+    json.member("summary", demo.summary).end_object();
+  }
+  return json.end_array().text();
+}
+
+std::string as_table() {
+  std::size_t name_width = 0, chapter_width = 0;
+  for (const DemoInfo& demo : all_demos()) {
+    name_width = std::max(name_width, demo.name.size());
+    chapter_width = std::max(chapter_width, demo.chapter.size());
+  }
+  std::string table;
+  for (const DemoInfo& demo : all_demos()) {
+    table += fmt::format("{:{}}  {:{}}  {}\n", demo.name, name_width, demo.chapter, chapter_width,
+                         demo.summary);
+  }
+  return table;
+}
+
+}  // namespace
+
+int run_list(const Options& options) {
+  print_result(options.common.json ? as_json() : as_table());
+  return 0;
+}
+
+}  // namespace kinescope

@@ -1,0 +1,103 @@
+#include "demos/film.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "raster/base/error.h"
+
+namespace kinescope {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::kUsage, what, "-o"); }
+
+std::string ending_of(const std::string& output) {
+  return output == "-" ? std::string() : fs::path(output).extension().string();
+}
+
+}  // namespace
+
+FilmFormat film_format(const std::string& output, const std::string& format, bool several_frames) {
+  std::string kind = format;
+  const std::string ending = ending_of(output);
+  if (kind.empty()) {
+    if (ending.empty()) kind = several_frames ? "y4m" : "png";
+    if (ending == ".png" || ending == ".y4m") kind = ending.substr(1);
+  }
+  if (kind == "y4m") return FilmFormat::kY4m;
+  if (kind == "raw") return FilmFormat::kRaw;
+  if (kind != "png") {
+    refuse(output + ": cannot tell the format by \"" + ending +
+           "\"; use .png or .y4m, or give --format");
+  }
+  if (several_frames && (output == "-" || output.find('#') == std::string::npos)) {
+    refuse(output + ": several frames need a numbered name such as frame_####.png, or a .y4m");
+  }
+  return FilmFormat::kPng;
+}
+
+std::string numbered_name(const std::string& pattern, int number) {
+  const std::size_t end = pattern.find_last_of('#');
+  if (end == std::string::npos) return pattern;
+  std::size_t begin = end;
+  while (begin > 0 && pattern[begin - 1] == '#') --begin;
+  return pattern.substr(0, begin) + fmt::format("{:0{}}", number, end - begin + 1) +
+         pattern.substr(end + 1);
+}
+
+void check_writable(const std::string& output) {
+  if (output == "-") return;
+  const auto fail = [&](const std::string& what) {
+    throw Error(ErrorKind::kCannotWrite, what, output);
+  };
+  std::error_code ignored;
+  if (fs::is_directory(output, ignored)) fail("is a folder; name a file in it");
+  if (fs::exists(output, ignored) && !fs::is_regular_file(output, ignored)) return;  // a device
+  fs::path folder = fs::path(output).parent_path();
+  if (folder.empty()) folder = ".";
+  if (!fs::is_directory(folder, ignored)) fail("there is no folder " + folder.string());
+  if (access(folder.c_str(), W_OK) != 0) fail("cannot write to the folder " + folder.string());
+}
+
+Film::Film(std::string output, FilmFormat format, Size size, Rate rate)
+    : output_(std::move(output)), format_(format) {
+  check_writable(output_);
+  if (format_ == FilmFormat::kY4m) {
+    y4m_ = std::make_unique<Y4mWriter>(output_, size.width, size.height, rate);
+  } else if (format_ == FilmFormat::kRaw) {
+    raw_ = std::make_unique<OutputFile>(output_);
+  }
+}
+
+void Film::write(const Picture& picture, int number) {
+  if (format_ == FilmFormat::kPng) {
+    std::visit([&](const auto& p) { write_png(numbered_name(output_, number), p); }, picture);
+    return;
+  }
+  const auto& frame = std::get<Image<Srgb8>>(picture);
+  format_ == FilmFormat::kY4m ? y4m_->write(frame) : write_raw(frame);
+}
+
+void Film::write_raw(const Image<Srgb8>& picture) {
+  std::vector<std::uint8_t> line(static_cast<std::size_t>(picture.width()) * 3);
+  for (int y = 0; y < picture.height(); ++y) {
+    auto out = line.begin();
+    for (int x = 0; x < picture.width(); ++x) {
+      const Srgb8 c = picture.at(x, y);
+      for (const std::uint8_t channel : {c.r, c.g, c.b}) *out++ = channel;
+    }
+    raw_->write(line);
+  }
+}
+
+void Film::close() {
+  if (y4m_) y4m_->close();
+  if (raw_) raw_->commit();
+}
+
+}  // namespace kinescope

@@ -1,0 +1,51 @@
+// Where finished pictures go: one PNG, numbered PNGs, a y4m film or raw RGB; a file or standard
+// output.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "demos/picture.h"
+#include "raster/base/output_file.h"
+#include "raster/base/units.h"
+#include "raster/image/codecs.h"
+
+namespace kinescope {
+
+enum class FilmFormat { kPng, kY4m, kRaw };
+
+/// The format of an output: `format` ("png", "y4m", "raw") if given, else by the name's ending; "-"
+/// and names without an ending hold a PNG for one frame and a y4m film for more.
+/// @throws Error (usage) if the ending says nothing, or if several frames are to be one PNG
+FilmFormat film_format(const std::string& output, const std::string& format, bool several_frames);
+
+/// "frame_####.png" and 7: "frame_0007.png". A name without # is returned as it is.
+std::string numbered_name(const std::string& pattern, int number);
+
+/// @throws Error (cannot write) if the folder is missing or closed to us, so that long work does
+/// not end in vain
+void check_writable(const std::string& output);
+
+/// A finished picture: 16 bits a channel only for PNG.
+using Picture = std::variant<Image<Srgb8>, Image<Srgb16>>;
+
+/// Takes frames in order. What it wrote appears when it is whole: numbered pictures one by one, a
+/// film when closed.
+class Film {
+ public:
+  /// @throws Error (cannot write, or usage)
+  Film(std::string output, FilmFormat format, Size size, Rate rate);
+  /// @param number of the frame, for numbered names
+  void write(const Picture& picture, int number);
+  void close();
+
+ private:
+  void write_raw(const Image<Srgb8>& picture);
+  std::string output_;
+  FilmFormat format_;
+  std::unique_ptr<Y4mWriter> y4m_;
+  std::unique_ptr<OutputFile> raw_;
+};
+
+}  // namespace kinescope
