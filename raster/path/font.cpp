@@ -1,0 +1,218 @@
+#include "raster/path/font.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "dejavu_sans.h"
+#include "dejavu_sans_mono.h"
+#include "raster/base/error.h"
+#include "raster/image/draw.h"
+#include "raster/path/exact_area.h"
+#include "raster/path/flatten.h"
+#include "raster/path/utf8.h"
+
+namespace kinescope {
+namespace {
+
+// Pens stand at quarters of a pixel: letters stay evenly spaced without a bitmap for every place.
+constexpr int kPhases = 4;
+// A curve this far from its chord changes a pixel by less than half a code of 255.
+constexpr float kTolerancePx = 1.0f / 512;
+constexpr float kLargestPx = 2048;
+
+/// The coverage of one glyph, its corner given from the pen's whole pixel and the baseline.
+struct Glyph {
+  float advance_px = 0;
+  int left = 0, top = 0;
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> coverage;
+};
+
+/// Receives FreeType's outline and flattens it into edges. Outlines have y upwards.
+struct OutlineSink {
+  ExactArea& area;
+  float left, top;
+  glm::vec2 pen{0}, start{0};
+
+  glm::vec2 place(const FT_Vector* p) const {
+    return {static_cast<float>(p->x) / 64 - left, top - static_cast<float>(p->y) / 64};
+  }
+  void line_to(glm::vec2 to) {
+    area.add_edge(pen, to);
+    pen = to;
+  }
+  void close() { line_to(start); }
+};
+
+int move_to(const FT_Vector* to, void* user) {
+  OutlineSink& sink = *static_cast<OutlineSink*>(user);
+  sink.close();
+  sink.start = sink.pen = sink.place(to);
+  return 0;
+}
+
+int line_to(const FT_Vector* to, void* user) {
+  OutlineSink& sink = *static_cast<OutlineSink*>(user);
+  sink.line_to(sink.place(to));
+  return 0;
+}
+
+int quadratic_to(const FT_Vector* control, const FT_Vector* to, void* user) {
+  OutlineSink& sink = *static_cast<OutlineSink*>(user);
+  flatten_quadratic(sink.pen, sink.place(control), sink.place(to), kTolerancePx,
+                    [&](glm::vec2 p) { sink.line_to(p); });
+  return 0;
+}
+
+int cubic_to(const FT_Vector* a, const FT_Vector* b, const FT_Vector* to, void* user) {
+  OutlineSink& sink = *static_cast<OutlineSink*>(user);
+  flatten_cubic(sink.pen, sink.place(a), sink.place(b), sink.place(to), kTolerancePx,
+                [&](glm::vec2 p) { sink.line_to(p); });
+  return 0;
+}
+
+void scan_convert(FT_Outline& outline, Glyph& glyph) {
+  FT_BBox box;
+  FT_Outline_Get_CBox(&outline, &box);
+  glyph.left = static_cast<int>(box.xMin >> 6);
+  glyph.top = static_cast<int>(-((box.yMax + 63) >> 6));
+  glyph.width = static_cast<int>((box.xMax + 63) >> 6) - glyph.left;
+  glyph.height = static_cast<int>(-(box.yMin >> 6)) - glyph.top;
+  ExactArea area(glyph.width, glyph.height);
+  OutlineSink sink{area, static_cast<float>(glyph.left), static_cast<float>(-glyph.top)};
+  const FT_Outline_Funcs callbacks{move_to, line_to, quadratic_to, cubic_to, 0, 0};
+  FT_Outline_Decompose(&outline, &callbacks, &sink);
+  sink.close();
+  area.rows(FillRule::kNonZero, [&](int, std::span<const float> row) {
+    for (const float c : row) glyph.coverage.push_back(static_cast<std::uint8_t>(c * 255 + 0.5f));
+  });
+}
+
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+}  // namespace
+
+struct Font::State {
+  using Key = std::tuple<FT_UInt, FT_F26Dot6, int>;  // glyph, size, phase
+
+  explicit State(std::span<const std::uint8_t> bytes) {
+    FT_Error error = FT_Init_FreeType(&library);
+    if (!error) {
+      error =
+          FT_New_Memory_Face(library, bytes.data(), static_cast<FT_Long>(bytes.size()), 0, &face);
+    }
+    if (!error && !FT_IS_SCALABLE(face)) error = FT_Err_Unknown_File_Format;
+    if (!error) return;
+    FT_Done_FreeType(library);
+    throw_bad_input("not a scalable font (FreeType error " + std::to_string(error) + ")", "font");
+  }
+  ~State() { FT_Done_FreeType(library); }  // and the face with it
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  void set_size(float size_px) {
+    assert(size_px > 0 && size_px <= kLargestPx);
+    const FT_F26Dot6 wanted = std::max<FT_F26Dot6>(1, std::lround(size_px * 64));
+    if (wanted == size) return;
+    size = wanted;
+    FT_Set_Char_Size(face, 0, size, 72, 72);
+  }
+
+  const Glyph& glyph(FT_UInt index, int phase) {
+    const auto [place, is_new] = glyphs.try_emplace(Key{index, size, phase});
+    Glyph& glyph = place->second;
+    if (!is_new) return glyph;
+    // Light hinting moves outlines up and down only: stems keep their distances, while the
+    // baseline and the tops of letters lie on pixel rows.
+    if (FT_Load_Glyph(face, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP)) return glyph;
+    glyph.advance_px = static_cast<float>(face->glyph->linearHoriAdvance) / 65536;
+    FT_Outline& outline = face->glyph->outline;
+    if (face->glyph->format != FT_GLYPH_FORMAT_OUTLINE || outline.n_points == 0) return glyph;
+    FT_Outline_Translate(&outline, phase * 64 / kPhases, 0);
+    scan_convert(outline, glyph);
+    return glyph;
+  }
+
+  float kerning_px(FT_UInt before, FT_UInt index) const {
+    FT_Vector shift{0, 0};
+    if (before && FT_HAS_KERNING(face)) {
+      FT_Get_Kerning(face, before, index, FT_KERNING_UNFITTED, &shift);
+    }
+    return static_cast<float>(shift.x) / 64;
+  }
+
+  /// Calls sink(glyph, whole pixel of the pen) for each character; returns the pen after the last.
+  template <typename Sink>
+  float lay_out(float x_px, std::string_view text, float size_px, Sink&& sink) {
+    set_size(size_px);
+    float pen = x_px;
+    FT_UInt before = 0;
+    for_each_code_point(text, [&](char32_t code) {
+      const FT_UInt index = FT_Get_Char_Index(face, code);
+      pen += kerning_px(before, index);
+      const float quarters = std::floor(pen * kPhases + 0.5f);
+      const int whole = static_cast<int>(std::floor(quarters / kPhases));
+      const Glyph& g = glyph(index, static_cast<int>(quarters) - whole * kPhases);
+      sink(g, whole);
+      pen += g.advance_px;
+      before = index;
+    });
+    return pen;
+  }
+
+  FT_Library library = nullptr;
+  FT_Face face = nullptr;
+  FT_F26Dot6 size = 0;
+  std::map<Key, Glyph> glyphs;
+};
+
+Font::Font(std::span<const std::uint8_t> bytes) : state_(std::make_unique<State>(bytes)) {}
+Font::~Font() = default;
+Font::Font(Font&&) noexcept = default;
+Font& Font::operator=(Font&&) noexcept = default;
+
+Font Font::sans() { return Font(bytes_of(embedded::dejavu_sans())); }
+Font Font::mono() { return Font(bytes_of(embedded::dejavu_sans_mono())); }
+
+float Font::width_px(std::string_view text, float size_px) const {
+  return state_->lay_out(0, text, size_px, [](const Glyph&, int) {});
+}
+
+float Font::ascent_px(float size_px) const {
+  return size_px * static_cast<float>(state_->face->ascender) /
+         static_cast<float>(state_->face->units_per_EM);
+}
+
+float Font::line_height_px(float size_px) const {
+  return size_px * static_cast<float>(state_->face->height) /
+         static_cast<float>(state_->face->units_per_EM);
+}
+
+float Font::draw(Image<Srgb8>& picture, float x_px, float y_px, std::string_view text,
+                 float size_px, Srgb8 colour) const {
+  const LinearRgba light = decode(colour);
+  const int baseline = static_cast<int>(std::lround(y_px));
+  return state_->lay_out(x_px, text, size_px, [&](const Glyph& glyph, int pen) {
+    const int left = pen + glyph.left, top = baseline + glyph.top;
+    const Rect area =
+        clipped({left, top, glyph.width, glyph.height}, picture.width(), picture.height());
+    for (int y = area.y; y < area.y + area.height; ++y) {
+      const std::uint8_t* row = glyph.coverage.data() + (y - top) * glyph.width;
+      for (int x = area.x; x < area.x + area.width; ++x) {
+        blend(picture.at(x, y), light, static_cast<float>(row[x - left]) / 255);
+      }
+    }
+  });
+}
+
+}  // namespace kinescope
