@@ -10,8 +10,10 @@ struct Bounds {
   glm::vec3 min{0.0f};
   glm::vec3 max{0.0f};
   bool empty = true;
-  glm::vec3 centre() const { return (min + max) * 0.5f; }
-  float radius() const;
+  glm::vec3 centre() const { return min * 0.5f + max * 0.5f; }
+  float radius() const;  ///< of the sphere about the box; 0 if empty
+  void add(glm::vec3 point);
+  void add(const Bounds& other);
 };
 Bounds world_bounds(const Scene& scene);
 

@@ -55,6 +55,12 @@ struct Scene {
 /// world_from_local of every node, in the order of Scene::nodes.
 std::vector<glm::mat4> world_transforms(const Scene& scene);
 
+/// The scene's lights in world space; their brightness and reach are not scaled.
+std::vector<Light> world_lights(const Scene& scene);
+
+/// A placed camera in world space: eye, look-at and up moved, its lengths as they are.
+Camera world_camera(const Scene& scene, const Placed<Camera>& placed);
+
 /// How many triangles a frame draws: a mesh counts once for every node that shows it.
 std::uint64_t drawn_triangle_count(const Scene& scene);
 

@@ -1,0 +1,145 @@
+#include "engine/renderer.h"
+
+#include <vector>
+
+#include "engine/frame_mesh.h"
+
+namespace kinescope {
+namespace {
+
+const Material& material_of(const Scene& scene, const Mesh& mesh) {
+  static const Material kDefault{};
+  const auto index = static_cast<std::size_t>(mesh.material);
+  return mesh.material >= 0 && index < scene.materials.size() ? scene.materials[index] : kDefault;
+}
+
+const Texture* texture_of(const Scene& scene, const Material& material) {
+  const auto index = static_cast<std::size_t>(material.base_texture);
+  const bool named = material.base_texture >= 0 && index < scene.textures.size();
+  return named && scene.textures[index].levels() > 0 ? &scene.textures[index] : nullptr;
+}
+
+CullMode cull_mode(const FrameMesh& mesh) {
+  if (mesh.surface.material.double_sided) return CullMode::kNone;
+  return mesh.world->transform.mirrors ? CullMode::kFront : CullMode::kBack;
+}
+
+DeviceVertices vertices_of(const FrameMesh& mesh) {
+  const std::size_t count =
+      mesh.world->vertices() + (mesh.must_cut() ? mesh.cut.new_vertices() : 0);
+  const DevicePositions& d = mesh.device;
+  return {std::span(d.x_px).first(count), std::span(d.y_px).first(count),
+          std::span(d.z).first(count), std::span(d.inv_w).first(count)};
+}
+
+/// The rows that a shading model's shader reads, and the cut appends to.
+struct Rows {
+  std::vector<float>& values;
+  int stride;
+  int count;
+};
+Rows rows_of(FrameMesh& mesh, ShadingModel shading) {
+  if (shading == ShadingModel::kGouraud) return {mesh.lit_rows, lit_row::kStride, lit_row::kCount};
+  return {mesh.world->rows, mesh.world->row_stride, mesh.world->row_count};
+}
+
+DrawCall draw_call(FrameMesh& mesh, ShadingModel shading) {
+  const Rows rows = rows_of(mesh, shading);
+  DrawCall call;
+  call.vertices = vertices_of(mesh);
+  if (mesh.must_cut()) {
+    call.indices = mesh.cut.indices();
+    call.source_triangle = mesh.cut.source_triangle();
+  } else {
+    call.indices = std::span(mesh.world->mesh->indices).first(mesh.world->triangles() * 3);
+  }
+  call.attributes = rows.values;
+  call.attribute_count = rows.count;
+  call.attribute_stride = rows.stride;
+  if (mesh.surface.texture != nullptr) call.texcoord_attribute = vertex_row::kTexcoord;
+  call.cull = cull_mode(mesh);
+  call.shade = shade_function(shading);
+  call.constants = &mesh.surface;
+  return call;
+}
+
+}  // namespace
+
+struct Renderer::State {
+  State(Workers& team, RasterizerOptions options) : workers(team), rasterizer(team, options) {}
+
+  void prepare(const Scene& scene, const Camera& camera, const RenderSettings& settings);
+  void cut(const Projector& projector, const RenderSettings& settings, RenderStats& stats);
+
+  Workers& workers;
+  Rasterizer rasterizer;
+  WorldMeshes world;
+  std::vector<FrameMesh> meshes;
+  std::vector<Light> lights;
+  std::vector<DrawCall> calls;
+};
+
+/// Surfaces, lights, and which meshes can be seen at all.
+void Renderer::State::prepare(const Scene& scene, const Camera& camera,
+                              const RenderSettings& settings) {
+  world.update(workers, scene);
+  lights = world_lights(scene);
+  const glm::mat4 clip_from_world = camera.clip_from_world();
+  meshes.resize(world.items().size());
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    FrameMesh& mesh = meshes[i];
+    mesh.world = &world.items()[i];
+    mesh.seen = mesh.world->mesh != nullptr && !outside_view(clip_from_world, mesh.world->bounds);
+    if (!mesh.seen) continue;
+    Surface& surface = mesh.surface;
+    surface.material = material_of(scene, *mesh.world->mesh);
+    surface.texture = settings.textures ? texture_of(scene, surface.material) : nullptr;
+    surface.lights = lights;
+    surface.ambient = scene.ambient;
+    surface.eye = camera.eye;
+    surface.vertex_colours = !mesh.world->mesh->colours.empty();
+  }
+}
+
+void Renderer::State::cut(const Projector& projector, const RenderSettings& settings,
+                          RenderStats& stats) {
+  for (FrameMesh& mesh : meshes) {
+    if (!mesh.seen || !mesh.must_cut()) continue;
+    const Rows rows = rows_of(mesh, settings.shading);
+    mesh.cut.cut(workers, projector, DeviceVertices::kGuardBand, mesh.world->positions,
+                 mesh.world->mesh->indices, mesh.device, rows.values, rows.stride, rows.count);
+    stats.clipped += mesh.cut.cut_count();
+  }
+}
+
+Renderer::Renderer(Workers& workers, RasterizerOptions options)
+    : state_(std::make_unique<State>(workers, options)) {}
+
+Renderer::~Renderer() = default;
+
+void Renderer::invalidate() { state_->world.invalidate(); }
+
+RenderStats Renderer::render(const Scene& scene, const Camera& camera,
+                             const RenderSettings& settings, RenderTarget& target,
+                             bool want_visibility_hash) {
+  State& s = *state_;
+  RenderStats stats;
+  s.prepare(scene, camera, settings);
+  const Viewport viewport{0.0f, 0.0f, static_cast<float>(target.width),
+                          static_cast<float>(target.height)};
+  const Projector projector =
+      make_projector(camera.clip_from_world(), viewport, DeviceVertices::kGuardBand);
+  stats.vertices = project_meshes(s.workers, projector, s.meshes);
+  if (settings.shading == ShadingModel::kGouraud) light_mesh_vertices(s.workers, s.meshes);
+  if (settings.shading == ShadingModel::kFlat) light_mesh_triangles(s.workers, s.meshes);
+  s.cut(projector, settings, stats);
+  s.calls.clear();
+  // All surfaces are drawn as if opaque; those that let light through belong in a pass behind.
+  for (FrameMesh& mesh : s.meshes) {
+    if (mesh.seen) s.calls.push_back(draw_call(mesh, settings.shading));
+  }
+  stats.raster = s.rasterizer.draw(target, s.calls, want_visibility_hash);
+  return stats;
+}
+
+}  // namespace kinescope
