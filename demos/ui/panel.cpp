@@ -176,12 +176,14 @@ bool Panel::contains(int x, int y) const {
   return layer_.image.contains(x - layer_.x, y - layer_.y);
 }
 
-std::vector<std::string> Panel::click(int x, int y, std::span<const Knob> knobs) const {
+std::vector<std::string> Panel::click(int x, int y, std::span<const Knob> knobs, bool drag) const {
   const auto hit = std::find_if(targets_.begin(), targets_.end(), [&](const Target& target) {
     return target.rect.contains(static_cast<float>(x - layer_.x), static_cast<float>(y - layer_.y));
   });
   if (hit == targets_.end()) return {};
-  return knobs[hit->knob].keys_to(hit->value);
+  const Knob& knob = knobs[hit->knob];
+  if (drag && knob.kind != KnobKind::kNumber) return {};
+  return knob.keys_to(knob.kind == KnobKind::kToggle ? 1 - knob.value : hit->value);
 }
 
 }  // namespace kinescope

@@ -14,8 +14,9 @@ class Panel {
   void lay(const DemoInfo& info, const Demo& demo, const Studio& studio, Image<Srgb8>& frame);
   /// Whether a place in the frame lies on the panel.
   bool contains(int x, int y) const;
-  /// The key presses that a click there stands for.
-  std::vector<std::string> click(int x, int y, std::span<const Knob> knobs) const;
+  /// The key presses that a click there stands for; of a drag's move, only on numbers' tracks.
+  std::vector<std::string> click(int x, int y, std::span<const Knob> knobs,
+                                 bool drag = false) const;
 
  private:
   /// A place to click, in pixels of the layer, and the value that it turns a knob to.

@@ -1,0 +1,105 @@
+// The window's loop: events in, ticks at the display's pace, frames out.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "demos/demo_screen.h"
+#include "demos/gallery.h"
+#include "demos/registry.h"
+#include "demos/session.h"
+#include "display/presenter.h"
+
+namespace kinescope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Moment = std::chrono::time_point<Clock, Seconds>;
+
+Moment now() { return Clock::now(); }
+
+enum class Outcome { kDone, kLeft, kClosed };
+
+/// Counts presented frames, over half a second each.
+class RateMeter {
+ public:
+  void count() {
+    ++frames_;
+    const Seconds passed = now() - since_;
+    if (passed < Seconds(0.5)) return;
+    rate_ = static_cast<int>(std::lround(frames_ / passed.count()));
+    frames_ = 0;
+    since_ = now();
+  }
+  int rate() const { return rate_; }
+
+ private:
+  Moment since_ = now();
+  int frames_ = 0, rate_ = 0;
+};
+
+/// Keys and events that are the window's own. @return whether the screen is left by it
+bool leaves(Presenter& presenter, const InputEvent& event) {
+  if (event.kind != InputKind::kKeyDown) return false;
+  if (event.key == "F11") presenter.set_full_screen(!presenter.full_screen());
+  if (event.key != "Escape") return false;
+  if (!presenter.full_screen()) return true;
+  presenter.set_full_screen(false);
+  return false;
+}
+
+/// Shows a screen until it is done, left with Escape, or the window is closed. Where the machine is
+/// slow, ticks come later: simulated time lags, nothing freezes.
+Outcome run(Presenter& presenter, Screen& screen) {
+  InputEvent size;
+  size.kind = InputKind::kResize;
+  size.x = presenter.width();
+  size.y = presenter.height();
+  if (size.x != screen.frame().width() || size.y != screen.frame().height()) screen.handle(size);
+  RateMeter meter;
+  Moment next = now();
+  while (true) {
+    for (const InputEvent& event : presenter.poll(std::max(Seconds(0), next - now()))) {
+      if (event.kind == InputKind::kQuit) return Outcome::kClosed;
+      if (leaves(presenter, event)) return Outcome::kLeft;
+      screen.handle(event);
+    }
+    if (screen.done()) return Outcome::kDone;
+    if (now() < next) continue;
+    next = std::max(next + screen.tick_length(), now() - screen.tick_length());
+    if (screen.tick(meter.rate())) presenter.present(screen.frame());
+    meter.count();
+  }
+}
+
+Outcome run_demo(Presenter& presenter, const std::shared_ptr<Studio>& studio, const DemoInfo& info,
+                 std::uint64_t seed) {
+  presenter.set_title("kinescope: " + std::string(info.name));
+  DemoScreen screen(
+      info, {studio, std::max(64, presenter.width()), std::max(48, presenter.height()), seed});
+  return run(presenter, screen);
+}
+
+}  // namespace
+
+int run_demo_window(std::string_view name, const DemoOptions& options) {
+  const DemoInfo& info = find_demo(name);
+  Presenter presenter("kinescope", options.width, options.height);
+  run_demo(presenter, std::make_shared<Studio>(options.threads), info, options.seed);
+  return 0;
+}
+
+int run_gallery_window(const DemoOptions& options) {
+  Presenter presenter("kinescope", options.width, options.height);
+  const auto studio = std::make_shared<Studio>(options.threads);
+  Gallery gallery(studio, presenter.width(), presenter.height(), options.seed);
+  while (true) {
+    presenter.set_title("kinescope");
+    if (run(presenter, gallery) != Outcome::kDone) return 0;
+    const auto choice = gallery.take_choice();
+    if (run_demo(presenter, studio, all_demos()[*choice], options.seed) == Outcome::kClosed)
+      return 0;
+  }
+}
+
+}  // namespace kinescope
