@@ -19,4 +19,28 @@ struct Light {
   glm::vec3 attenuation{1.0f, 0.0f, 0.0f};
 };
 
+/// What arrives at a point from one source.
+struct Incident {
+  glm::vec3 to_light{0.0f};  ///< unit length; zero if the point is the source itself
+  glm::vec3 colour{0.0f};    ///< after attenuation and cone
+};
+
+/// The light of `light` at `position`. Between the cones of a spot it falls by the smoothstep law
+/// t^2 (3 - 2t) of t = (cos a - cos outer) / (cos inner - cos outer) for the angle a off its axis.
+Incident incident_light(const Light& light, glm::vec3 position);
+
+/// A light's constants as the lighting code uses them.
+struct PreparedLight {
+  explicit PreparedLight(const Light& light);
+
+  LightKind kind;
+  bool attenuated;
+  glm::vec3 colour;
+  glm::vec3 position;
+  glm::vec3 direction;  ///< unit length, the way the light travels
+  glm::vec3 attenuation;
+  float cos_outer;
+  float cone_scale;  ///< 1 / (cos inner - cos outer)
+};
+
 }  // namespace kinescope

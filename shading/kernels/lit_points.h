@@ -1,0 +1,61 @@
+// What the lighting kernels read: points, structure of arrays, and a surface's lights made ready.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "shading/limits.h"
+#include "shading/surface.h"
+
+namespace kinescope {
+
+/// Each array is aligned to 64 bytes and padded to whole vectors.
+struct PointArrays {
+  std::array<const float*, 3> position{};
+  std::array<const float*, 3> normal{};  ///< of any length
+  std::array<const float*, 3> colour{};  ///< null: white
+};
+
+/// The arrays of a batch whose rows are vertex rows.
+inline PointArrays point_arrays(const Batch& batch, const Surface& surface) {
+  const auto three = [&batch](int first) {
+    const auto i = static_cast<std::size_t>(first);
+    return std::array{batch.attribute[i], batch.attribute[i + 1], batch.attribute[i + 2]};
+  };
+  PointArrays points;
+  points.position = three(vertex_row::kPosition);
+  points.normal = three(vertex_row::kNormal);
+  if (surface.vertex_colours) points.colour = three(vertex_row::kColour);
+  return points;
+}
+
+/// Constants of one batch. Lights beyond the first few are made ready at each use.
+class LightConstants {
+ public:
+  explicit LightConstants(const Surface& surface)
+      : lights_(surface.lights),
+        has_highlight(surface.material.specular != glm::vec3(0.0f)),
+        exponent(std::fmax(surface.material.shininess, 0.0f)),
+        least_cosine(exponent > 0.0f ? std::exp2(kLeastHighlightLog2 / exponent) : 0.0f) {
+    for (std::size_t k = 0; k < ready_.size() && k < lights_.size(); ++k) {
+      ready_[k].emplace(lights_[k]);
+    }
+  }
+
+  PreparedLight at(std::size_t k) const {
+    return k < ready_.size() ? *ready_[k] : PreparedLight(lights_[k]);
+  }
+
+ private:
+  std::span<const Light> lights_;
+  std::array<std::optional<PreparedLight>, 16> ready_;
+
+ public:
+  const bool has_highlight;
+  const float exponent;
+  const float least_cosine;  ///< smaller cosines give less than kLeastHighlightLog2
+};
+
+}  // namespace kinescope

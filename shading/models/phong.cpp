@@ -1,0 +1,35 @@
+// Light at every fragment, its highlight by the reflection vector (B. T. Phong, 1975).
+#include "shading/models/models.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shading/models/phong.cpp"
+#include <hwy/foreach_target.h>
+// after foreach_target
+#include <hwy/highway.h>
+
+#include "shading/kernels/finish-inl.h"
+#include "shading/kernels/illuminate-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace kinescope {
+namespace HWY_NAMESPACE {
+
+void shade_phong(const Batch& batch, LinearRgba* out) {
+  const Surface& surface = *static_cast<const Surface*>(batch.constants);
+  const Finish finish(batch, surface, vertex_row::kTexcoord, out);
+  illuminate</*kHalfVector=*/false>(surface, point_arrays(batch, surface), batch.size, finish);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace kinescope
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kinescope {
+
+HWY_EXPORT(shade_phong);
+
+ShadeFunction phong_shader() { return &HWY_DYNAMIC_DISPATCH(shade_phong); }
+
+}  // namespace kinescope
+#endif
