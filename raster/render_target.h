@@ -13,8 +13,11 @@ enum class ColourFormat { kSrgb8, kLinear8, kLinearFloat };
 
 /// Colour and depth of one picture. Samples are resolved in linear light as each tile ends.
 struct RenderTarget {
+  static constexpr int kMaxSize = 16384;  ///< pixels, either way
+
   RenderTarget() = default;
   /// @param samples 1, 4 or 8 coverage samples a pixel
+  /// @throws Error (usage) for a size or sample count out of range, or more memory than there is
   RenderTarget(int width, int height, int samples = 1, ColourFormat format = ColourFormat::kSrgb8);
 
   int width = 0;

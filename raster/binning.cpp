@@ -1,0 +1,72 @@
+#include "raster/binning.h"
+
+#include <algorithm>
+
+namespace kinescope {
+namespace {
+
+/// Whether all of a tile's area lies on the outer side of one edge.
+bool misses(const SnappedTriangle& t, const PixelRect& tile) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = i == 2 ? 0 : i + 1;
+    // E grows with x where the edge goes up, and with y where it goes right.
+    const std::int64_t x = std::int64_t{t.y[j] < t.y[i] ? tile.x1 : tile.x0} * 256;
+    const std::int64_t y = std::int64_t{t.x[j] > t.x[i] ? tile.y1 : tile.y0} * 256;
+    if (t.edge(i, x, y) < 0) return true;
+  }
+  return false;
+}
+
+TriangleRecord record_of(const SnappedTriangle& t, std::uint32_t id, const PixelRect& box) {
+  TriangleRecord r;
+  r.x = t.x;
+  r.y = t.y;
+  r.id = id;
+  r.z = t.depth.z;
+  r.dz_dx = t.depth.dz_dx;
+  r.dz_dy = t.depth.dz_dy;
+  r.nearest = t.depth.nearest;
+  r.farthest = t.depth.farthest;
+  r.x0 = static_cast<std::int16_t>(box.x0);
+  r.y0 = static_cast<std::int16_t>(box.y0);
+  r.x1 = static_cast<std::int16_t>(box.x1);
+  r.y1 = static_cast<std::int16_t>(box.y1);
+  return r;
+}
+
+}  // namespace
+
+PixelRect pixel_box(const SnappedTriangle& t, std::span<const SampleOffset> pattern,
+                    const TileGrid& grid) {
+  const auto by_x = [](const SampleOffset& a, const SampleOffset& b) { return a.x < b.x; };
+  const auto by_y = [](const SampleOffset& a, const SampleOffset& b) { return a.y < b.y; };
+  const auto [left, right] = std::minmax_element(pattern.begin(), pattern.end(), by_x);
+  const auto [top, bottom] = std::minmax_element(pattern.begin(), pattern.end(), by_y);
+  const auto [x_min, x_max] = std::minmax({t.x[0], t.x[1], t.x[2]});
+  const auto [y_min, y_max] = std::minmax({t.y[0], t.y[1], t.y[2]});
+  const auto first = [](std::int32_t raw, Fixed24_8 o) { return (raw - o.raw() + 255) >> 8; };
+  const auto end = [](std::int32_t raw, Fixed24_8 o) { return ((raw - o.raw()) >> 8) + 1; };
+  return {std::max(first(x_min, right->x), 0), std::max(first(y_min, bottom->y), 0),
+          std::min(end(x_max, left->x), grid.width), std::min(end(y_max, top->y), grid.height)};
+}
+
+bool bin_triangle(const SnappedTriangle& t, std::uint32_t id, std::span<const SampleOffset> pattern,
+                  const TileGrid& grid, Bins& bins) {
+  const PixelRect box = pixel_box(t, pattern, grid);
+  if (box.empty()) return false;
+  const TriangleRecord record = record_of(t, id, box);
+  const int column0 = box.x0 / grid.tile_width, column1 = (box.x1 - 1) / grid.tile_width;
+  const int row0 = box.y0 / grid.tile_height, row1 = (box.y1 - 1) / grid.tile_height;
+  const bool several = column0 != column1 || row0 != row1;
+  for (int row = row0; row <= row1; ++row) {
+    for (int column = column0; column <= column1; ++column) {
+      const int tile = row * grid.columns + column;
+      if (several && misses(t, grid.rect(tile))) continue;
+      RecordChunk& chunk = bins.records[static_cast<std::size_t>(tile)].tail(bins.record_pool);
+      chunk.records[static_cast<std::size_t>(chunk.size++)] = record;
+    }
+  }
+  return true;
+}
+
+}  // namespace kinescope

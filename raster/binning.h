@@ -1,0 +1,20 @@
+// Larger triangles go as records into the bins of the tiles they touch.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "raster/bins.h"
+#include "raster/sample_pattern.h"
+
+namespace kinescope {
+
+/// The pixels whose samples a box of raw 24.8 coordinates may hold, cut to the target.
+PixelRect pixel_box(const SnappedTriangle& triangle, std::span<const SampleOffset> pattern,
+                    const TileGrid& grid);
+
+/// Puts a triangle's record into each tile where it may cover a sample. Returns whether any.
+bool bin_triangle(const SnappedTriangle& triangle, std::uint32_t id,
+                  std::span<const SampleOffset> pattern, const TileGrid& grid, Bins& bins);
+
+}  // namespace kinescope

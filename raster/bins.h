@@ -1,0 +1,96 @@
+// What the front end leaves for each tile: records of triangles and finished fragments.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "raster/tile_grid.h"
+#include "raster/triangle_setup.h"
+
+namespace kinescope {
+
+/// A triangle to be drawn in a tile.
+struct TriangleRecord {
+  std::array<std::int32_t, 3> x, y;  ///< raw Fixed24_8, positive area
+  std::uint32_t id;                  ///< order of submission in the frame
+  float z, dz_dx, dz_dy;             ///< DepthPlane; its anchor is `anchor_x`, `anchor_y`
+  float nearest, farthest;
+  std::int16_t x0, y0, x1, y1;  ///< box in pixels, half open, within the target
+};
+static_assert(sizeof(TriangleRecord) <= 64);
+
+struct RecordChunk {
+  static constexpr int kCapacity = 15;
+  std::array<TriangleRecord, kCapacity> records;
+  RecordChunk* next;
+  int size;
+};
+
+/// Fragments as structure of arrays, so that SIMD can append them compressed.
+struct FragmentChunk {
+  static constexpr int kCapacity = 168;
+  std::array<std::uint32_t, kCapacity> place;  ///< index into the tile's sample planes
+  std::array<float, kCapacity> depth;
+  std::array<std::uint32_t, kCapacity> id;
+  FragmentChunk* next;
+  int size;
+};
+
+/// Hands out chunks and takes them all back at once; memory is kept for the next frame.
+template <typename Chunk>
+class ChunkPool {
+ public:
+  Chunk* take() {
+    if (used_ == blocks_.size() * kBlock) {
+      blocks_.push_back(std::make_unique_for_overwrite<Chunk[]>(kBlock));
+    }
+    Chunk* chunk = &blocks_[used_ / kBlock][used_ % kBlock];
+    ++used_;
+    chunk->next = nullptr;
+    chunk->size = 0;
+    return chunk;
+  }
+  void take_all_back() { used_ = 0; }
+
+ private:
+  static constexpr std::size_t kBlock = 64;
+  std::vector<std::unique_ptr<Chunk[]>> blocks_;
+  std::size_t used_ = 0;
+};
+
+/// A list of chunks in the order they were filled.
+template <typename Chunk>
+struct ChunkList {
+  Chunk* first = nullptr;
+  Chunk* last = nullptr;
+
+  /// The last chunk, with room for at least `room` more.
+  Chunk& tail(ChunkPool<Chunk>& pool, int room = 1) {
+    if (last == nullptr || last->size + room > Chunk::kCapacity) {
+      Chunk* chunk = pool.take();
+      (last == nullptr ? first : last->next) = chunk;
+      last = chunk;
+    }
+    return *last;
+  }
+};
+
+/// One worker's bins, a list a tile: no worker waits for another. Since the nearest fragment wins,
+/// and of equals the one submitted first, the order in which bins are drawn does not matter.
+struct Bins {
+  std::vector<ChunkList<RecordChunk>> records;
+  std::vector<ChunkList<FragmentChunk>> fragments;
+  ChunkPool<RecordChunk> record_pool;
+  ChunkPool<FragmentChunk> fragment_pool;
+
+  void clear(int tiles) {
+    records.assign(static_cast<std::size_t>(tiles), {});
+    fragments.assign(static_cast<std::size_t>(tiles), {});
+    record_pool.take_all_back();
+    fragment_pool.take_all_back();
+  }
+};
+
+}  // namespace kinescope

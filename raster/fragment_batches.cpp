@@ -1,0 +1,118 @@
+#include "raster/fragment_batches.h"
+
+#include <algorithm>
+
+namespace kinescope {
+
+int FrameCalls::call_of(std::uint32_t id) const {
+  const auto after = std::upper_bound(first_id.begin(), first_id.end(), id);
+  return static_cast<int>(after - first_id.begin()) - 1;
+}
+
+std::span<const LinearRgba> FragmentShader::shade(const FrameCalls& frame,
+                                                  const VisibleFragments& fragments,
+                                                  const LinearRgba& clear) {
+  const auto size = static_cast<std::size_t>(fragments.size);
+  // A shader may write whole vectors past the last fragment.
+  if (colours_.size() < size + Batch::kMaxSize) colours_.resize(size + Batch::kMaxSize);
+  group_by_call(frame, fragments);
+  for (const Group& group : groups_) shade_group(frame, fragments, group, clear);
+  return {colours_.data(), size};
+}
+
+// A stable counting sort by call, over the calls that occur.
+void FragmentShader::group_by_call(const FrameCalls& frame, const VisibleFragments& fragments) {
+  groups_.clear();
+  order_.clear();
+  if (fragments.size == 0) return;
+  const std::uint32_t* const id = fragments.id.data();
+  const auto [least, most] = std::minmax_element(id, id + fragments.size);
+  const int least_call = frame.call_of(*least);
+  if (least_call == frame.call_of(*most)) {
+    groups_.push_back({least_call, 0, fragments.size, 0});
+    return;
+  }
+  group_of_call_.resize(frame.calls.size());
+  group_of_fragment_.resize(static_cast<std::size_t>(fragments.size));
+  std::uint32_t call_first = 1, call_end = 0, group = 0;
+  for (int i = 0; i < fragments.size; ++i) {
+    if (id[i] < call_first || id[i] >= call_end) {
+      const auto call = static_cast<std::size_t>(frame.call_of(id[i]));
+      call_first = frame.first_id[call];
+      call_end = frame.first_id[call + 1];
+      if (group_of_call_[call] == 0) {
+        groups_.push_back({static_cast<int>(call), 0, 0, 0});
+        group_of_call_[call] = static_cast<std::uint32_t>(groups_.size());
+      }
+      group = group_of_call_[call] - 1;
+    }
+    ++groups_[group].end;
+    group_of_fragment_[static_cast<std::size_t>(i)] = group;
+  }
+  int first = 0;
+  for (Group& g : groups_) {
+    group_of_call_[static_cast<std::size_t>(g.call)] = 0;
+    g.first = g.next = first;
+    g.end = first += g.end;
+  }
+  order_.resize(static_cast<std::size_t>(fragments.size));
+  for (int i = 0; i < fragments.size; ++i) {
+    Group& g = groups_[group_of_fragment_[static_cast<std::size_t>(i)]];
+    order_[static_cast<std::size_t>(g.next++)] = i;
+  }
+}
+
+void FragmentShader::load(const FrameCalls& frame, const VisibleFragments& fragments, int call,
+                          int first, int count) {
+  const DrawCall& draw = frame.calls[static_cast<std::size_t>(call)];
+  const std::uint32_t first_id = frame.first_id[static_cast<std::size_t>(call)];
+  for (int i = 0; i < count; ++i) {
+    const auto from = static_cast<std::size_t>(
+        order_.empty() ? first + i : order_[static_cast<std::size_t>(first + i)]);
+    const auto to = static_cast<std::size_t>(i);
+    storage_.x[to] = fragments.x[from];
+    storage_.y[to] = fragments.y[from];
+    storage_.triangle[to] = fragments.id[from] - first_id;
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    const std::uint32_t triangle = storage_.triangle[i];
+    storage_.primitive[i] =
+        draw.source_triangle.empty() ? triangle : draw.source_triangle[triangle];
+  }
+}
+
+void FragmentShader::shade_group(const FrameCalls& frame, const VisibleFragments& fragments,
+                                 const Group& group, const LinearRgba& clear) {
+  const DrawCall& draw = frame.calls[static_cast<std::size_t>(group.call)];
+  Batch batch;
+  batch.constants = draw.constants;
+  batch.x = storage_.x.data();
+  batch.y = storage_.y.data();
+  batch.primitive = storage_.primitive.data();
+  for (std::size_t a = 0; a < static_cast<std::size_t>(draw.attribute_count); ++a) {
+    batch.attribute[a] = storage_.attribute[a].data();
+  }
+  if (draw.texcoord_attribute >= 0) {
+    batch.du_dx = storage_.gradient[0].data();
+    batch.dv_dx = storage_.gradient[1].data();
+    batch.du_dy = storage_.gradient[2].data();
+    batch.dv_dy = storage_.gradient[3].data();
+  }
+  for (int first = group.first; first < group.end; first += Batch::kMaxSize) {
+    batch.size = std::min(Batch::kMaxSize, group.end - first);
+    LinearRgba* const out = order_.empty() ? colours_.data() + first : shaded_.data();
+    if (draw.shade == nullptr) {
+      std::fill_n(out, batch.size, clear);
+    } else {
+      load(frame, fragments, group.call, first, batch.size);
+      interpolate(draw, batch.size, storage_);
+      draw.shade(batch, out);
+    }
+    if (order_.empty()) continue;
+    for (int i = 0; i < batch.size; ++i) {
+      colours_[static_cast<std::size_t>(order_[static_cast<std::size_t>(first + i)])] = out[i];
+    }
+  }
+}
+
+}  // namespace kinescope

@@ -1,0 +1,157 @@
+#include "raster/rasterizer.h"
+
+#include <algorithm>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "raster/base/error.h"
+#include "raster/binning.h"
+#include "raster/fragment_batches.h"
+#include "raster/kernels/spans.h"
+#include "raster/resolve.h"
+#include "raster/tile.h"
+#include "raster/visibility_hash.h"
+#include "raster/visible_fragments.h"
+
+namespace kinescope {
+namespace {
+
+/// Consecutive triangles of one call: what one task of the front end takes.
+struct TriangleRange {
+  static constexpr std::uint32_t kMaxCount = 2048;
+  std::uint32_t call, first, count;
+};
+
+/// What one worker owns for the whole frame. Cache lines are not shared between workers.
+struct alignas(64) WorkerState {
+  Bins bins;
+  TileBuffer tile;
+  VisibleFragments visible;
+  FragmentShader shader;
+  AlignedVector<LinearRgba> row;
+  RasterStats stats;
+};
+
+int checked_tile_side(int side, int chosen) {
+  if (side == 0) return chosen;
+  if (side < 8 || side > TileGrid::kMaxTile || side % 8 != 0) {
+    throw Error(ErrorKind::kUsage,
+                "a tile's sides are multiples of 8 from 8 to 64, not " + std::to_string(side));
+  }
+  return side;
+}
+
+}  // namespace
+
+struct Rasterizer::Frame {
+  Frame(Workers& w, RasterizerOptions o)
+      : workers(w), options(o), states(static_cast<std::size_t>(w.count())) {}
+
+  void begin(RenderTarget& target, std::span<const DrawCall> calls);
+  void bin_range(const TriangleRange& range, WorkerState& state) const;
+  void draw_tile(int tile, RenderTarget& target, bool want_hash, WorkerState& state) const;
+
+  Workers& workers;
+  RasterizerOptions options;
+  std::vector<WorkerState> states;
+  TileGrid grid;
+  std::span<const SampleOffset> pattern;
+  FrameCalls calls;
+  std::vector<TriangleRange> ranges;
+};
+
+void Rasterizer::Frame::begin(RenderTarget& target, std::span<const DrawCall> draw_calls) {
+  pattern = sample_pattern(target.samples);
+  // Tiles keep depth and triangle of their samples within a first-level cache.
+  grid = TileGrid(target.width, target.height,
+                  checked_tile_side(options.tile_width, target.samples == 1 ? 64 : 32),
+                  checked_tile_side(options.tile_height, target.samples == 8 ? 16 : 32));
+  if (target.keep_depth &&
+      (target.depth.width() != target.width || target.depth.height() != target.height)) {
+    target.depth = Image<float>(target.width, target.height);
+  }
+  for (WorkerState& state : states) {
+    state.bins.clear(grid.count());
+    state.stats = {};
+  }
+  calls.calls = draw_calls;
+  calls.first_id.clear();
+  ranges.clear();
+  std::uint64_t id = 0;
+  for (std::uint32_t call = 0; call < draw_calls.size(); ++call) {
+    calls.first_id.push_back(static_cast<std::uint32_t>(id));
+    const std::uint64_t count = draw_calls[call].indices.size() / 3;
+    id += count;
+    if (id >= TileBuffer::kNothing) {
+      throw Error(ErrorKind::kBadInput, "more than 4294967294 triangles in one frame");
+    }
+    for (std::uint64_t first = 0; first < count; first += TriangleRange::kMaxCount) {
+      const std::uint64_t size = std::min<std::uint64_t>(count - first, TriangleRange::kMaxCount);
+      ranges.push_back({call, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(size)});
+    }
+  }
+  calls.first_id.push_back(static_cast<std::uint32_t>(id));
+}
+
+void Rasterizer::Frame::bin_range(const TriangleRange& range, WorkerState& state) const {
+  const DrawCall& call = calls.calls[range.call];
+  const std::uint32_t first_id = calls.first_id[range.call];
+  SnappedTriangle triangle;
+  for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+    if (set_up_triangle(call, i, triangle) &&
+        bin_triangle(triangle, first_id + i, pattern, grid, state.bins)) {
+      ++state.stats.drawn;
+    }
+  }
+}
+
+void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash,
+                                  WorkerState& state) const {
+  state.tile.begin(grid, tile, target.samples);
+  for (const WorkerState& from : states) {
+    const ChunkList<RecordChunk>& list = from.bins.records[static_cast<std::size_t>(tile)];
+    for (const RecordChunk* chunk = list.first; chunk != nullptr; chunk = chunk->next) {
+      draw_records({chunk->records.data(), static_cast<std::size_t>(chunk->size)}, pattern,
+                   state.tile);
+    }
+  }
+  if (want_hash) state.stats.visibility_hash += tile_hash(state.tile, target.width);
+  gather_visible(state.tile, state.visible);
+  const auto colours = state.shader.shade(calls, state.visible, target.clear);
+  resolve_tile(state.tile, state.visible, colours, state.row, target);
+  state.stats.fragments += static_cast<std::uint64_t>(state.visible.size);
+}
+
+Rasterizer::Rasterizer(Workers& workers, RasterizerOptions options)
+    : frame_(std::make_unique<Frame>(workers, options)) {}
+
+Rasterizer::~Rasterizer() = default;
+
+RasterStats Rasterizer::draw(RenderTarget& target, std::span<const DrawCall> calls,
+                             bool want_visibility_hash) {
+  Frame& frame = *frame_;
+  try {
+    frame.begin(target, calls);
+    frame.workers.run(static_cast<int>(frame.ranges.size()), [&](int task, int worker) {
+      frame.bin_range(frame.ranges[static_cast<std::size_t>(task)],
+                      frame.states[static_cast<std::size_t>(worker)]);
+    });
+    frame.workers.run(frame.grid.count(), [&](int tile, int worker) {
+      frame.draw_tile(tile, target, want_visibility_hash,
+                      frame.states[static_cast<std::size_t>(worker)]);
+    });
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::kBadInput, "no memory to draw this frame; fewer samples need less");
+  }
+  RasterStats stats;
+  stats.triangles = frame.calls.first_id.back();
+  for (const auto& state : frame.states) {
+    stats.drawn += state.stats.drawn;
+    stats.fragments += state.stats.fragments;
+    stats.visibility_hash += state.stats.visibility_hash;
+  }
+  return stats;
+}
+
+}  // namespace kinescope

@@ -1,0 +1,33 @@
+// The samples of the tile being drawn: depth, and which triangle is visible.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/aligned_vector.h"
+#include "raster/tile_grid.h"
+
+namespace kinescope {
+
+/// Planes, one a sample, of rows of tile_width; pixels beyond the target's edge stay clear.
+struct TileBuffer {
+  static constexpr std::uint32_t kNothing = 0xffffffffu;
+
+  PixelRect rect;  ///< of the target's pixels
+  int stride = 0;  ///< of a row
+  int plane = 0;   ///< samples of one plane
+  int samples = 1;
+  AlignedVector<float> depth;       ///< 1 where nothing is visible
+  AlignedVector<std::uint32_t> id;  ///< kNothing there
+
+  void begin(const TileGrid& grid, int tile, int sample_count) {
+    rect = grid.rect(tile);
+    stride = grid.tile_width;
+    plane = grid.tile_width * grid.tile_height;
+    samples = sample_count;
+    const auto total = static_cast<std::size_t>(plane) * static_cast<std::size_t>(samples);
+    depth.assign(total, 1.0f);
+    id.assign(total, kNothing);
+  }
+};
+
+}  // namespace kinescope

@@ -1,0 +1,40 @@
+// How the screen is cut into tiles.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace kinescope {
+
+/// A half-open rectangle of pixels.
+struct PixelRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool empty() const { return x0 >= x1 || y0 >= y1; }
+};
+
+struct TileGrid {
+  int width = 0, height = 0;              ///< of the target
+  int tile_width = 64, tile_height = 64;  ///< multiples of 8, at most kMaxTile
+  int columns = 0, rows = 0;
+
+  /// Within a tile of this size an edge that crosses it fits 32 bits (see kernels/spans.cpp).
+  static constexpr int kMaxTile = 64;
+
+  TileGrid() = default;
+  TileGrid(int w, int h, int tile_w, int tile_h)
+      : width(w),
+        height(h),
+        tile_width(tile_w),
+        tile_height(tile_h),
+        columns((w + tile_w - 1) / tile_w),
+        rows((h + tile_h - 1) / tile_h) {}
+
+  int count() const { return columns * rows; }
+  PixelRect rect(int tile) const {
+    const int x = tile % columns * tile_width;
+    const int y = tile / columns * tile_height;
+    return {x, y, std::min(x + tile_width, width), std::min(y + tile_height, height)};
+  }
+};
+
+}  // namespace kinescope
