@@ -74,13 +74,19 @@ Film::Film(std::string output, FilmFormat format, Size size, Rate rate)
   }
 }
 
-void Film::write(const Picture& picture, int number) {
-  if (format_ == FilmFormat::kPng) {
-    std::visit([&](const auto& p) { write_png(numbered_name(output_, number), p); }, picture);
-    return;
+void Film::write(const Image<Srgb8>& picture, int number) {
+  switch (format_) {
+    case FilmFormat::kPng:
+      return write_png(numbered_name(output_, number), picture);
+    case FilmFormat::kY4m:
+      return y4m_->write(picture);
+    case FilmFormat::kRaw:
+      return write_raw(picture);
   }
-  const auto& frame = std::get<Image<Srgb8>>(picture);
-  format_ == FilmFormat::kY4m ? y4m_->write(frame) : write_raw(frame);
+}
+
+void Film::write(const Image<Srgb16>& picture, int number) {
+  write_png(numbered_name(output_, number), picture);
 }
 
 void Film::write_raw(const Image<Srgb8>& picture) {

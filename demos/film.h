@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <string>
-#include <variant>
 
 #include "demos/picture.h"
 #include "raster/base/output_file.h"
@@ -27,9 +26,6 @@ std::string numbered_name(const std::string& pattern, int number);
 /// not end in vain
 void check_writable(const std::string& output);
 
-/// A finished picture: 16 bits a channel only for PNG.
-using Picture = std::variant<Image<Srgb8>, Image<Srgb16>>;
-
 /// Takes frames in order. What it wrote appears when it is whole: numbered pictures one by one, a
 /// film when closed.
 class Film {
@@ -37,7 +33,9 @@ class Film {
   /// @throws Error (cannot write, or usage)
   Film(std::string output, FilmFormat format, Size size, Rate rate);
   /// @param number of the frame, for numbered names
-  void write(const Picture& picture, int number);
+  void write(const Image<Srgb8>& picture, int number);
+  /// @pre the format is PNG
+  void write(const Image<Srgb16>& picture, int number);
   void close();
 
  private:

@@ -26,6 +26,9 @@ class JsonWriter {
   JsonWriter& value(double number);
   /// 16 hexadecimal digits as a string: readers that hold numbers as doubles keep all 64 bits.
   JsonWriter& hash(std::uint64_t bits);
+  JsonWriter& hash_member(std::string_view name, std::uint64_t bits) {
+    return key(name).hash(bits);
+  }
   template <typename Value>
   JsonWriter& member(std::string_view name, const Value& v) {
     return key(name).value(v);

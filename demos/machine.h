@@ -20,8 +20,9 @@ class Stopwatch {
   void start() { start_ = Clock::now(); }
   void stop();
   double total_ms() const;
-  /// Ends what may be many values in one member: {"min": .., "median": .., "max": ..}.
+  /// Writes an object: {"min": .., "median": .., "max": ..}.
   void write(JsonWriter& json) const;
+  /// 0 if nothing was timed.
   double median_ms() const;
 
  private:

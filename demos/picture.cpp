@@ -4,40 +4,66 @@
 #include <cmath>
 #include <cstring>
 #include <utility>
+#include <vector>
+
+#include "raster/colour/encode.h"
 
 namespace kinescope {
 namespace {
 
-LinearRgb scaled(LinearRgb c, float gain) { return {c.r * gain, c.g * gain, c.b * gain}; }
-
-/// Applies `function` to every pixel, a row a task.
-template <typename To, typename From, typename Function>
-Image<To> map_pixels(const Image<From>& from, Workers& workers, const Function& function) {
-  Image<To> to(from.width(), from.height());
-  workers.run(from.height(), [&](int y, int) {
-    std::transform(from.row(y), from.row(y) + from.width(), to.row(y), function);
+/// Encodes row by row; `fetch` gives row y as linear light, in `buffer` where it must be made.
+template <typename To, typename From, typename Fetch>
+Image<To> encode_rows(const Image<From>& light, Workers& workers, const Fetch& fetch) {
+  Image<To> out(light.width(), light.height());
+  const auto width = static_cast<std::size_t>(light.width());
+  std::vector<std::vector<LinearRgb>> buffers(static_cast<std::size_t>(workers.count()));
+  workers.run(light.height(), [&](int y, int worker) {
+    auto& buffer = buffers[static_cast<std::size_t>(worker)];
+    buffer.resize(width);
+    const std::span<const From> row(light.row(y), width);
+    encode_row(fetch(row, std::span(buffer)), std::span<To>(out.row(y), width));
   });
-  return to;
+  return out;
+}
+
+template <typename To>
+Image<To> encode_with_gain(const Image<LinearRgb>& light, float gain, Workers& workers) {
+  using Row = std::span<const LinearRgb>;
+  return encode_rows<To>(light, workers, [gain](Row row, std::span<LinearRgb> buffer) -> Row {
+    if (gain == 1) return row;
+    std::transform(row.begin(), row.end(), buffer.begin(), [gain](LinearRgb c) {
+      return LinearRgb{c.r * gain, c.g * gain, c.b * gain};
+    });
+    return buffer;
+  });
 }
 
 }  // namespace
 
 Image<Srgb8> encode_picture(const Image<LinearRgb>& light, float gain, Workers& workers) {
-  return map_pixels<Srgb8>(light, workers,
-                           [gain](LinearRgb c) { return encode_srgb8(scaled(c, gain)); });
+  return encode_with_gain<Srgb8>(light, gain, workers);
 }
 
 Image<Srgb16> encode_picture16(const Image<LinearRgb>& light, float gain, Workers& workers) {
-  return map_pixels<Srgb16>(light, workers,
-                            [gain](LinearRgb c) { return encode_srgb16(scaled(c, gain)); });
+  return encode_with_gain<Srgb16>(light, gain, workers);
 }
 
 Image<Srgb16> encode_picture16(const Image<LinearRgba>& light, Workers& workers) {
-  return map_pixels<Srgb16>(light, workers, [](LinearRgba c) {
-    Srgb16 out = encode_srgb16(LinearRgb{c.r, c.g, c.b});
-    out.a = static_cast<std::uint16_t>(std::lround(std::clamp(c.a, 0.0f, 1.0f) * 65535.0f));
-    return out;
-  });
+  using Row = std::span<const LinearRgba>;
+  const auto opaque = [](Row row, std::span<LinearRgb> buffer) -> std::span<const LinearRgb> {
+    std::transform(row.begin(), row.end(), buffer.begin(), [](LinearRgba c) {
+      return LinearRgb{c.r, c.g, c.b};
+    });
+    return buffer;
+  };
+  Image<Srgb16> out = encode_rows<Srgb16>(light, workers, opaque);
+  std::transform(
+      light.pixels().begin(), light.pixels().end(), out.pixels().begin(), out.pixels().begin(),
+      [](LinearRgba from, Srgb16 to) {
+        to.a = static_cast<std::uint16_t>(std::lround(std::clamp(from.a, 0.0f, 1.0f) * 65535.0f));
+        return to;
+      });
+  return out;
 }
 
 Size fit_within(Size room, double aspect) {

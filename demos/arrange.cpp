@@ -1,7 +1,9 @@
-#include "demos/side_by_side.h"
+#include "demos/arrange.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 #include <iterator>
 #include <utility>
 
@@ -48,6 +50,25 @@ void hang(Scene& world, Scene& scene, const glm::mat4& world_from_scene) {
 }
 
 }  // namespace
+
+glm::mat4 upright_from_model(glm::vec3 up) {
+  const glm::vec3 from = glm::normalize(up), to(0, 1, 0);
+  const glm::vec3 axis = glm::cross(from, to);
+  const float sine = glm::length(axis), cosine = glm::dot(from, to);
+  if (sine > 1e-6f) return glm::rotate(glm::mat4(1.0f), std::atan2(sine, cosine), axis / sine);
+  const bool upside_down = cosine < 0;
+  return upside_down ? glm::rotate(glm::mat4(1.0f), 3.14159265f, glm::vec3(1, 0, 0))
+                     : glm::mat4(1.0f);
+}
+
+Scene stand_up(Scene scene, glm::vec3 up) {
+  const glm::mat4 rotation = upright_from_model(up);
+  if (rotation == glm::mat4(1.0f)) return scene;
+  Scene world;
+  world.ambient = scene.ambient;
+  hang(world, scene, rotation);
+  return world;
+}
 
 Scene side_by_side(std::vector<Scene> scenes) {
   if (scenes.size() == 1) return std::move(scenes.front());

@@ -1,0 +1,132 @@
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "demos/arrange.h"
+#include "demos/commands/commands.h"
+#include "demos/console.h"
+#include "demos/displays.h"
+#include "demos/model_film.h"
+#include "demos/progress.h"
+#include "display/presenter.h"
+#include "engine/io/import.h"
+#include "raster/base/simd.h"
+
+namespace kinescope {
+namespace {
+
+/// All models in one scene.
+Scene import_models(const std::vector<std::string>& paths, Warnings& warnings) {
+  std::vector<Scene> scenes;
+  for (const std::string& path : paths) {
+    scenes.push_back(import_model(path, warnings));
+    if (drawn_triangle_count(scenes.back()) == 0) throw_bad_input("has no triangles to draw", path);
+  }
+  return side_by_side(std::move(scenes));
+}
+
+/// Where the pictures go; empty: nowhere, only figures are wanted.
+std::string output_of(const Options& options, bool several) {
+  if (!options.picture.output.empty() || options.common.json) return options.picture.output;
+  std::filesystem::create_directories("out");
+  const std::string stem = std::filesystem::path(options.render.models.front()).stem().string();
+  return "out/" + stem + (several ? ".y4m" : ".png");
+}
+
+void check_together(const Options& options, FilmFormat format) {
+  if (options.common.json && options.picture.output == "-") {
+    throw Error(ErrorKind::kUsage, "standard output cannot hold both a picture and --json", "-o");
+  }
+  if (options.picture.depth_bits == 16 && format != FilmFormat::kPng) {
+    throw Error(ErrorKind::kUsage, "only PNG takes 16 bits a channel", "--depth");
+  }
+}
+
+void write_frames(JsonWriter& json, const ModelFilm& film) {
+  json.hash_member("visibility_hash", film.figures().front().stats.raster.visibility_hash);
+  json.hash_member("colour_hash", film.figures().front().colour_hash);
+  json.key("frames").begin_array();
+  for (const ModelFilm::FrameFigures& frame : film.figures()) {
+    json.begin_object().member("frame", frame.frame);
+    json.hash_member("visibility_hash", frame.stats.raster.visibility_hash);
+    json.hash_member("colour_hash", frame.colour_hash);
+    if (frame.picture_hash != 0) json.hash_member("picture_hash", frame.picture_hash);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+std::string figures(const Options& options, const ModelFilmPlan& plan, const ModelView& view,
+                    const ModelFilm& film, const Workers& workers, const Warnings& warnings,
+                    double import_ms, double total_ms) {
+  const RenderStats& stats = film.figures().back().stats;
+  JsonWriter json;
+  json.begin_object();
+  json.member("triangles", drawn_triangle_count(view.scene()));
+  json.member("drawn", stats.raster.drawn).member("clipped", stats.clipped);
+  json.member("vertices", stats.vertices).member("fragments", stats.raster.fragments);
+  json.member("width", plan.size.width).member("height", plan.size.height);
+  json.member("samples", options.render.samples).member("threads", workers.count());
+  json.member("simd", simd_target());
+  json.member("display", plan.bare
+                             ? std::string("none")
+                             : options.picture.display.value_or(display_presets().front().name));
+  write_frames(json, film);
+  film.write_times(json);
+  json.member("import_ms", import_ms).member("ms", total_ms);
+  json.member("peak_memory_mib", peak_memory_mib());
+  json.key("warnings").begin_array();
+  for (const std::string& warning : warnings) json.value(warning);
+  json.end_array();
+  return json.end_object().text();
+}
+
+int film_models(const Options& options, const ModelFilmPlan& plan, const std::string& output) {
+  Stopwatch whole, reading;
+  whole.start();
+  std::optional<Film> film;
+  if (!output.empty()) {
+    const FilmFormat format = film_format(output, options.picture.format, plan.several());
+    check_together(options, format);
+    check_memory(plan, options);
+    film.emplace(output, format, plan.size, plan.rate);
+  }
+  Warnings warnings;
+  reading.start();
+  Scene scene = import_models(options.render.models, warnings);
+  reading.stop();
+  print_warnings(warnings, options.common.quiet);
+
+  Workers workers(options.common.threads);
+  const double aspect = static_cast<double>(plan.drawn.width) / plan.drawn.height;
+  ModelView view(std::move(scene), options.render, aspect, workers);
+  ModelFilm shots(view, plan, options, workers);
+  {
+    Progress progress("rendering", plan.frames.count(), !options.common.quiet);
+    for (int i = 1; i <= plan.frames.count(); ++i) {
+      shots.shoot(film ? &*film : nullptr);
+      progress.done(i);
+    }
+  }
+  if (film) film->close();
+  whole.stop();
+  if (options.common.json) {
+    print_result(figures(options, plan, view, shots, workers, warnings, reading.total_ms(),
+                         whole.total_ms()));
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run_render(const Options& options) {
+  const ModelFilmPlan plan = plan_model_film(options);
+  const std::string output = output_of(options, plan.several());
+  film_models(options, plan, output);
+  if (options.picture.output.empty() && !output.empty()) {
+    print_remark("wrote " + output, options.common.quiet);
+  }
+  return 0;
+}
+
+}  // namespace kinescope

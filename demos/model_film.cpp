@@ -1,0 +1,164 @@
+#include "demos/model_film.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "demos/displays.h"
+#include "raster/base/error.h"
+
+namespace kinescope {
+namespace {
+
+constexpr double kTurnSeconds = 6;  // of a film without --turntable
+
+[[noreturn]] void refuse(const std::string& option, const std::string& what) {
+  throw Error(ErrorKind::kUsage, what, option);
+}
+
+void plan_display(ModelFilmPlan& plan, const PictureOptions& picture) {
+  const std::string name = picture.display.value_or(std::string(display_presets().front().name));
+  plan.bare = name == "none";
+  if (plan.bare) {
+    plan.size = plan.drawn = picture.size.value_or(Size{1280, 960});
+    plan.rate = picture.fps.value_or(Rate{60, 1});
+    if (picture.shutter)
+      refuse("--shutter", "needs a display; --display none has no light to gather");
+    return;
+  }
+  plan.tube = find_display(name).settings();
+  const VideoMode& mode = plan.tube.mode;
+  plan.drawn = {mode.horizontal.active, mode.vertical.active};
+  plan.size = picture.size.value_or(Size{2 * plan.drawn.width, 2 * plan.drawn.height});
+  plan.rate = picture.fps.value_or(mode.frame_rate());
+  plan.shutter = picture.shutter.value_or(mode.frame_period());
+}
+
+void plan_frames(ModelFilmPlan& plan, const Options& options) {
+  const bool turntable = options.render.turntable;
+  const int turn_frames = static_cast<int>(std::ceil(kTurnSeconds * plan.rate.hertz()));
+  plan.frames = options.picture.frames.value_or(FrameRange{0, turntable ? turn_frames - 1 : 0});
+  const double turn_s =
+      turntable ? (plan.frames.last + 1) * plan.rate.period().count() : kTurnSeconds;
+  plan.turn_rad_per_s = 2 * std::numbers::pi / turn_s;
+  if (plan.several() && plan.shutter > plan.rate.period() * (1 + 1e-6)) {
+    refuse(options.picture.shutter ? "--shutter" : "--fps",
+           fmt::format("the shutter stays open {:.6g} s, longer than a frame at {:.6g} frames a "
+                       "second lasts; choose a shorter --shutter or a lower --fps",
+                       plan.shutter.count(), plan.rate.hertz()));
+  }
+}
+
+}  // namespace
+
+ModelFilmPlan plan_model_film(const Options& options) {
+  ModelFilmPlan plan;
+  plan_display(plan, options.picture);
+  plan_frames(plan, options);
+  return plan;
+}
+
+void check_memory(const ModelFilmPlan& plan, const Options& options) {
+  // Bytes a pixel, measured: colour, encoded copies and, on a tube, light and phosphor.
+  const double drawn_cost = options.picture.depth_bits == 16 && plan.bare ? 28 : 9;
+  const double tube_cost = plan.bare ? 0 : 60;
+  const double need = drawn_cost * plan.drawn.width * plan.drawn.height +
+                      tube_cost * plan.size.width * plan.size.height;
+  const double have = available_memory_bytes();
+  if (need < have) return;
+  constexpr double kGib = 1 << 30;
+  refuse("--size", fmt::format("{}x{} takes about {:.1f} GiB of memory, and {:.1f} GiB are free",
+                               plan.size.width, plan.size.height, need / kGib, have / kGib));
+}
+
+ModelFilm::ModelFilm(ModelView& view, const ModelFilmPlan& plan, const Options& options,
+                     Workers& workers)
+    : view_(view),
+      plan_(plan),
+      deep_(options.picture.depth_bits == 16),
+      want_hashes_(options.common.json),
+      workers_(workers),
+      target_(plan.drawn.width, plan.drawn.height, options.render.samples,
+              deep_ && plan.bare ? ColourFormat::kLinearFloat : ColourFormat::kSrgb8) {}
+
+void ModelFilm::draw(double turn_rad) {
+  draw_.start();
+  last_stats_ = view_.draw(turn_rad, target_, want_hashes_);
+  draw_.stop();
+  if (!want_hashes_) return;
+  std::visit(
+      [&](const auto& picture) {
+        const auto bytes = std::as_bytes(picture.pixels());
+        last_colour_hash_ =
+            hash_bytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
+                       static_cast<std::uint64_t>(picture.width()));
+      },
+      target_.colour);
+}
+
+template <typename Pixel>
+void ModelFilm::finish(Film* film, int frame, const Image<Pixel>& picture) {
+  frame_.stop();
+  FrameFigures figures{frame, last_stats_, last_colour_hash_, 0};
+  if constexpr (std::is_same_v<Pixel, Srgb8>) {
+    if (want_hashes_) figures.picture_hash = hash_picture(picture);
+  }
+  figures_.push_back(figures);
+  if (!film) return;
+  write_.start();
+  film->write(picture, frame);
+  write_.stop();
+}
+
+void ModelFilm::shoot(Film* film) {
+  const int frame = plan_.frames.first + static_cast<int>(figures_.size());
+  frame_.start();
+  plan_.bare ? shoot_bare(film, frame) : shoot_tube(film, frame);
+}
+
+void ModelFilm::shoot_bare(Film* film, int frame) {
+  draw(plan_.turn_rad_per_s * frame * plan_.rate.period().count());
+  if (!deep_) return finish(film, frame, target_.srgb8());
+  expose_.start();
+  const auto picture = encode_picture16(std::get<Image<LinearRgba>>(target_.colour), workers_);
+  expose_.stop();
+  finish(film, frame, picture);
+}
+
+void ModelFilm::shoot_tube(Film* film, int frame) {
+  const double first_s = plan_.frames.first * plan_.rate.period().count();
+  const double refresh_s = plan_.tube.mode.frame_period().count();
+  if (!camera_) {
+    const double aspect = static_cast<double>(plan_.drawn.width) / plan_.drawn.height;
+    const Size glass = fit_within(plan_.size, aspect);
+    const auto source = [this, first_s, refresh_s](std::int64_t refresh) -> const Image<Srgb8>& {
+      draw(plan_.turn_rad_per_s * (first_s + refresh_s * static_cast<double>(refresh)));
+      return target_.srgb8();
+    };
+    camera_ = std::make_unique<TubeCamera>(plan_.tube, glass.width, glass.height, source, workers_);
+  }
+  const Seconds begin(frame * plan_.rate.period().count() - first_s);
+  const Exposure exposure{begin, begin + plan_.shutter};
+  expose_.start();
+  const Image<LinearRgb>& light = camera_->expose(exposure);
+  const float gain = camera_->gain(exposure);
+  if (deep_) {
+    const auto picture = centre_on_black(encode_picture16(light, gain, workers_), plan_.size);
+    expose_.stop();
+    return finish(film, frame, picture);
+  }
+  const auto picture = centre_on_black(encode_picture(light, gain, workers_), plan_.size);
+  expose_.stop();
+  finish(film, frame, picture);
+}
+
+void ModelFilm::write_times(JsonWriter& json) const {
+  json.key("frame_ms");
+  frame_.write(json);
+  json.key("stages_ms").begin_object();
+  json.member("draw", draw_.median_ms()).member("display", expose_.median_ms());
+  json.member("write", write_.median_ms()).end_object();
+}
+
+}  // namespace kinescope

@@ -1,0 +1,96 @@
+#include "demos/tube_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kinescope {
+namespace {
+
+constexpr float kSteady = 1e-4f;   // change of light from one refresh to the next
+constexpr int kMostSettling = 60;  // refreshes; long phosphors have glowed for a second by then
+
+float largest_change(const Image<LinearRgb>& before, const Image<LinearRgb>& after) {
+  float largest = 0;
+  for (std::size_t i = 0; i < after.pixels().size(); ++i) {
+    const LinearRgb a = before.pixels()[i], b = after.pixels()[i];
+    largest = std::max({largest, std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+  }
+  return largest;
+}
+
+void add(Image<LinearRgb>& sum, const Image<LinearRgb>& light) {
+  for (std::size_t i = 0; i < light.pixels().size(); ++i) {
+    LinearRgb& to = sum.pixels()[i];
+    const LinearRgb from = light.pixels()[i];
+    to = {to.r + from.r, to.g + from.g, to.b + from.b};
+  }
+}
+
+}  // namespace
+
+TubeCamera::TubeCamera(const TubeSettings& settings, int width, int height, Source source,
+                       Workers& workers)
+    : settings_(settings),
+      source_(std::move(source)),
+      workers_(workers),
+      buffer_(settings.mode.horizontal.active, settings.mode.vertical.active,
+              PixelFormat::kXrgb8888, 1),
+      tube_(settings, width, height),
+      period_(settings.mode.frame_period()) {
+  settle();
+}
+
+void TubeCamera::show(std::int64_t refresh) {
+  refresh_ = refresh;
+  buffer_.store(0, source_(refresh));
+}
+
+void TubeCamera::settle() {
+  show(0);
+  Image<LinearRgb> before;
+  do {
+    ++settling_;
+    const Image<LinearRgb>& light =
+        tube_.expose(buffer_, static_cast<double>(settling_) * period_, workers_);
+    const bool steady = !before.empty() && largest_change(before, light) < kSteady;
+    if (steady) break;
+    before = light;
+  } while (settling_ < kMostSettling);
+}
+
+const Image<LinearRgb>& TubeCamera::run_to(Seconds end) {
+  const Seconds next = static_cast<double>(refresh_ + 1) * period_;
+  if (std::min(end, next) + static_cast<double>(settling_) * period_ <= tube_.now()) {
+    show(refresh_ + 1);
+    return run_to(end);
+  }
+  return tube_.expose(buffer_, std::min(end, next) + static_cast<double>(settling_) * period_,
+                      workers_);
+}
+
+Seconds TubeCamera::snapped(Seconds t) const {
+  const double refreshes = t / period_;
+  const double whole = std::round(refreshes);
+  return std::abs(refreshes - whole) < 1e-6 ? whole * period_ : t;
+}
+
+float TubeCamera::gain(const Exposure& exposure) const {
+  return static_cast<float>(std::min(1.0, period_ / snapped(exposure.length())));
+}
+
+const Image<LinearRgb>& TubeCamera::expose(Exposure exposure) {
+  exposure = {snapped(exposure.begin), snapped(exposure.end)};
+  const Seconds origin = static_cast<double>(settling_) * period_;
+  while (tube_.now() < origin + exposure.begin) run_to(exposure.begin);
+  const Seconds end = origin + exposure.end;
+  const Image<LinearRgb>* light = &run_to(exposure.end);
+  if (tube_.now() < end) {
+    sum_ = *light;
+    while (tube_.now() < end) add(sum_, run_to(exposure.end));
+    light = &sum_;
+  }
+  return *light;
+}
+
+}  // namespace kinescope

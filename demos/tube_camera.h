@@ -1,0 +1,51 @@
+// A camera before a raster tube: moving pictures go onto the tube refresh by refresh, exposures of
+// its light come out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "display/exposure.h"
+#include "display/raster_tube.h"
+
+namespace kinescope {
+
+/// Times count from the first pixel of refresh 0, before which the tube has shown picture 0 for
+/// so long that its light is steady.
+class TubeCamera {
+ public:
+  /// The picture on the tube during a refresh, of the mode's size; valid until the next call.
+  using Source = std::function<const Image<Srgb8>&(std::int64_t refresh)>;
+
+  /// @param width, height of the photographs, pixels
+  TubeCamera(const TubeSettings& settings, int width, int height, Source source, Workers& workers);
+
+  /// The light of the exposure, in refreshes of steady white; exposures must follow each other in
+  /// time. @return valid until the next call
+  const Image<LinearRgb>& expose(Exposure exposure);
+  /// What makes steady white 1 again in exposures longer than a refresh. Shorter ones keep a gain
+  /// of 1: their light comes as pulses, each as bright as in a whole refresh.
+  float gain(const Exposure& exposure) const;
+
+  Rate refresh() const { return settings_.mode.frame_rate(); }
+
+ private:
+  void settle();
+  void show(std::int64_t refresh);
+  /// Times within rounding of a refresh's start are that start.
+  Seconds snapped(Seconds t) const;
+  /// Moves on to `end`, at most to the end of the refresh that passes.
+  const Image<LinearRgb>& run_to(Seconds end);
+
+  TubeSettings settings_;
+  Source source_;
+  Workers& workers_;
+  FrameBuffer buffer_;
+  RasterTube tube_;
+  Seconds period_;
+  std::int64_t settling_ = 0;  ///< refreshes that passed before time 0
+  std::int64_t refresh_ = 0;   ///< the one that passes
+  Image<LinearRgb> sum_;
+};
+
+}  // namespace kinescope
