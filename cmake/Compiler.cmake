@@ -7,7 +7,10 @@ endif()
 
 # Multiply and add stay two roundings: coverage and depth must agree on every instruction set.
 add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Werror)
-set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+# Sanitized builds keep their preset's flags, and with them their assertions.
+if(NOT KINESCOPE_SANITIZE)
+  set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+endif()
 
 if(KINESCOPE_SANITIZE)
   add_compile_options(-fsanitize=${KINESCOPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)

@@ -26,7 +26,7 @@ namespace {
 constexpr int kPhases = 4;
 // A curve this far from its chord changes a pixel by less than half a code of 255.
 constexpr float kTolerancePx = 1.0f / 512;
-constexpr float kLargestPx = 2048;
+[[maybe_unused]] constexpr float kLargestPx = 2048;
 
 /// The coverage of one glyph, its corner given from the pen's whole pixel and the baseline.
 struct Glyph {
