@@ -7,13 +7,12 @@
 namespace kinescope {
 namespace {
 
-std::vector<std::uint32_t> targets_here() {
+std::vector<std::int64_t> targets_here() {
   hwy::SetSupportedTargetsForTest(0);
-  std::vector<std::uint32_t> targets;
-  const std::uint32_t usable = static_cast<std::uint32_t>(hwy::SupportedTargets() & HWY_TARGETS);
-  // A lower bit is a better target.
-  for (std::uint32_t bit = 1; bit != 0; bit <<= 1) {
-    if (usable & bit) targets.push_back(bit);
+  std::vector<std::int64_t> targets;
+  // A lower bit is a better target; the portable one is the highest.
+  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
+    targets.push_back(left & -left);
   }
   return targets;
 }
@@ -23,19 +22,19 @@ std::vector<std::uint32_t> targets_here() {
 std::vector<std::string> simd_targets() {
   const std::string chosen = simd_target();
   std::vector<std::string> names;
-  for (const std::uint32_t target : targets_here()) names.emplace_back(hwy::TargetName(target));
+  for (const std::int64_t target : targets_here()) names.emplace_back(hwy::TargetName(target));
   use_simd_target(chosen);
   return names;
 }
 
 std::string simd_target() {
-  const std::uint32_t usable = static_cast<std::uint32_t>(hwy::SupportedTargets() & HWY_TARGETS);
-  return hwy::TargetName(usable & (~usable + 1));
+  const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
+  return hwy::TargetName(usable & -usable);
 }
 
 void use_simd_target(std::string_view name) {
   std::string known;
-  for (const std::uint32_t target : targets_here()) {
+  for (const std::int64_t target : targets_here()) {
     known += std::string(known.empty() ? "" : ", ") + hwy::TargetName(target);
     if (name == hwy::TargetName(target)) {
       hwy::SetSupportedTargetsForTest(target);

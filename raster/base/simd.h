@@ -8,7 +8,8 @@
 namespace kinescope {
 
 /// Names of the targets that this binary holds and this machine runs, best first ("AVX3", "AVX2",
-/// "SSE4", "EMU128").
+/// "SSE4", and the portable one: "EMU128", or "SCALAR" from compilers with which that one is
+/// broken).
 std::vector<std::string> simd_targets();
 
 /// The target in use.
