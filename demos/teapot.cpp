@@ -1,0 +1,146 @@
+// The teapot, shaded and orbited, on a 640x480 tube.
+#include <array>
+
+#include "demos/demo.h"
+#include "demos/monitor.h"
+#include "demos/orbit.h"
+#include "display/video_mode.h"
+#include "engine/renderer.h"
+#include "engine/teapot.h"
+
+namespace kinescope {
+namespace {
+
+enum { kShading, kSamples, kTube, kTurning, kFineness };
+
+constexpr float kFieldOfView = 0.62f;
+constexpr glm::vec3 kCentre{0.1f, 1.45f, 0.0f};
+constexpr double kTurnRadPerSecond = 0.35;
+constexpr std::array kSampleCounts = {1, 4, 8};
+
+Light lamp(glm::vec3 position, glm::vec3 colour) {
+  Light light;
+  light.position = position;
+  light.colour = colour;
+  return light;
+}
+
+std::shared_ptr<const Scene> teapot_scene(int fineness) {
+  auto scene = std::make_shared<Scene>();
+  Material glaze;
+  glaze.name = "copper glaze";
+  glaze.base_colour = {0.72f, 0.27f, 0.11f};
+  glaze.specular = glm::vec3(0.55f, 0.5f, 0.44f);
+  glaze.shininess = 48;
+  glaze.double_sided = true;  // the pot is open at its rim
+  scene->materials.push_back(glaze);
+  scene->meshes.push_back(teapot_mesh(fineness));
+  scene->meshes[0].material = 0;
+  Node node;
+  node.meshes = {0};
+  scene->nodes.push_back(node);
+  scene->lights = {{-1, lamp({6, 8, 7}, glm::vec3(0.95f, 0.9f, 0.82f))},
+                   {-1, lamp({-7, 3, 4}, glm::vec3(0.16f, 0.22f, 0.34f))},
+                   {-1, lamp({-2, 6, -8}, glm::vec3(0.35f, 0.4f, 0.5f))}};
+  scene->ambient = glm::vec3(0.09f, 0.09f, 0.1f);
+  return scene;
+}
+
+/// What the renderer needs while it draws; nothing in it outlives a step.
+struct Easel {
+  explicit Easel(Workers& workers) : renderer(workers) {}
+  Renderer renderer;
+  RenderTarget target;
+};
+
+class Teapot : public ClonableDemo<Teapot> {
+ public:
+  explicit Teapot(const DemoSetup& setup)
+      : ClonableDemo(
+            setup, {choice_knob("shading", {"w", "f", "g", "p", "b"},
+                                {"wireframe", "flat", "Gouraud", "Phong", "Blinn"}, 3,
+                                "wireframe, flat, Gouraud, Phong, Phong with Blinn's half vector"),
+                    choice_knob("samples", {"1", "4", "8"}, {"1", "4", "8"}, 1,
+                                "coverage samples a pixel"),
+                    toggle_knob("tube", "d", true, "the display: its tube, or the bare picture"),
+                    toggle_knob("turning", "t", true, "turn while nobody drags"),
+                    number_knob("fineness", "-", "=", 2, 18, 2, 10, "",
+                                "quads along each side of a Bezier patch")}),
+        monitor_({parse_mode("640x480@60")}, PixelFormat::kXrgb8888, 2, setup.width, setup.height),
+        scene_(teapot_scene(10)),
+        easel_(std::make_shared<Easel>(setup.studio->workers)) {
+    orbit_.distance = 8.2f;
+    orbit_.nearest = 3.5f;
+    orbit_.farthest = 30;
+  }
+
+  std::size_t state_bytes() const override { return monitor_.state_bytes(); }
+  Rate refresh() const override { return monitor_.refresh(); }
+
+ private:
+  void resized() override { monitor_.resize(width(), height()); }
+
+  void update(const Step& step) override {
+    for (const InputEvent& event : step.events) orbit_.answer(event);
+    if (knob(kTurning).on() && !orbit_.held()) {
+      orbit_.turn(static_cast<float>(kTurnRadPerSecond * step.exposure.length().count()));
+    }
+    const int fineness = static_cast<int>(knob(kFineness).value);
+    if (fineness != fineness_) {
+      fineness_ = fineness;
+      scene_ = teapot_scene(fineness);
+      easel_ = std::make_shared<Easel>(studio().workers);
+    }
+  }
+
+  void draw(const Step& step, Image<Srgb8>& picture) override {
+    const VideoMode& mode = monitor_.scan().mode();
+    if (!knob(kTube).on()) {
+      monitor_.switch_off();
+      render(width(), height());
+      picture = easel_->target.srgb8();
+      return;
+    }
+    if (monitor_.frame_begins(step)) {
+      render(mode.horizontal.active, mode.vertical.active);
+      monitor_.show(easel_->target.srgb8());
+    }
+    monitor_.expose(step, studio().workers, picture);
+  }
+
+  void render(int width, int height) {
+    RenderTarget& target = easel_->target;
+    const int samples = kSampleCounts[static_cast<std::size_t>(knob(kSamples).index())];
+    if (target.width != width || target.height != height || target.samples != samples) {
+      target = RenderTarget(width, height, samples);
+    }
+    target.clear = {0.013f, 0.016f, 0.024f, 1};
+    Camera camera;
+    orbit_.aim(camera, kCentre);
+    camera.set_field_of_view(kFieldOfView, static_cast<float>(width) / static_cast<float>(height));
+    RenderSettings settings;
+    constexpr std::array kModels = {ShadingModel::kUnlit, ShadingModel::kFlat,
+                                    ShadingModel::kGouraud, ShadingModel::kPhong,
+                                    ShadingModel::kBlinn};
+    settings.wireframe = settings.hidden_wire = knob(kShading).index() == 0;
+    settings.shading = kModels[static_cast<std::size_t>(knob(kShading).index())];
+    easel_->renderer.render(*scene_, camera, settings, target);
+  }
+
+  Monitor monitor_;
+  Orbit orbit_;
+  int fineness_ = 10;
+  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<Easel> easel_;
+};
+
+std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Teapot>(setup); }
+
+}  // namespace
+
+DemoInfo teapot_demo() {
+  return {"teapot", "11 Rendering",
+          "The Utah teapot lit by three lamps, shaded five ways, on a VGA tube", create};
+}
+
+}  // namespace kinescope
