@@ -99,9 +99,31 @@ void write_any(const std::string& path, const Image<Pixel>& picture) {
   file.commit();
 }
 
+/// Every chunk up to the last must lie within the file. libpng takes memory for what a chunk claims
+/// before it looks, and this says where a file is cut off.
+void check_chunks(std::span<const std::uint8_t> bytes, const std::string& name) {
+  constexpr std::size_t kSignature = 8, kFrame = 12;  // length, type and checksum
+  std::size_t at = kSignature;
+  for (;;) {
+    if (bytes.size() < at + kFrame) {
+      throw_bad_input("a PNG picture that is cut off", name,
+                      "byte " + std::to_string(bytes.size()));
+    }
+    const std::uint8_t* head = bytes.data() + at;
+    const std::size_t length = png_get_uint_32(head);
+    if (length > bytes.size() - at - kFrame) {
+      throw_bad_input("a PNG picture with a chunk longer than the file: cut off or damaged", name,
+                      "byte " + std::to_string(at));
+    }
+    if (std::equal(head + 4, head + 8, "IEND")) return;
+    at += kFrame + length;
+  }
+}
+
 }  // namespace
 
 Image<Srgb8> read_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  check_chunks(bytes, name);
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   const auto fail = [&] {
