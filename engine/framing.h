@@ -17,10 +17,15 @@ struct Bounds {
 };
 Bounds world_bounds(const Scene& scene);
 
-/// A camera that looks at the whole scene from the direction given by two angles, radians:
-/// azimuth about the y axis from +z, elevation above the horizon.
+/// The nearest camera that sees the whole scene, with a small margin, from the direction given by
+/// two angles, radians: azimuth about the y axis from +z, elevation above the horizon.
 Camera frame_scene(const Scene& scene, float aspect, float azimuth_rad = 0.6f,
                    float elevation_rad = 0.35f, float fov_y_rad = 0.7f);
+
+/// The same for a camera that is walked around: as near as the whole scene stays in the picture at
+/// every azimuth. look_at lies on the vertical axis through the middle of the scene.
+Camera frame_turntable(const Scene& scene, float aspect, float azimuth_rad = 0.6f,
+                       float elevation_rad = 0.35f, float fov_y_rad = 0.7f);
 
 /// Key, fill and rim light fitted to the scene's size; used when a model brings none.
 void add_default_lights(Scene& scene, const Camera& camera);
