@@ -24,7 +24,7 @@ void Demo::step(const Step& step, Image<Srgb8>& picture) {
   }
   update(left);
   if (picture.width() != width_ || picture.height() != height_) {
-    picture = Image<Srgb8>(width_, height_);
+    picture = Image<Srgb8>(width_, height_);  // black where the demo draws nothing
   }
   draw(left, picture);
 }

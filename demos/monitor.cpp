@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <utility>
 
 #include "demos/picture.h"
 #include "raster/colour/encode.h"
@@ -11,6 +11,16 @@ namespace kinescope {
 namespace {
 
 constexpr double kAspect = 4.0 / 3.0;  // of every tube here, whatever its mode
+constexpr int kPages = 2;
+
+Rect fitted(const Rect& room) {
+  const Size size = fit_within(
+      {std::max(1, static_cast<int>(room.width)), std::max(1, static_cast<int>(room.height))},
+      kAspect);
+  const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+  return {std::floor(room.x + (room.width - width) * 0.5f),
+          std::floor(room.y + (room.height - height) * 0.5f), width, height};
+}
 
 void encode_scaled(std::span<const LinearRgb> light, float gain, std::span<Srgb8> out) {
   if (gain == 1.0f) return encode_row(light, out);
@@ -19,33 +29,31 @@ void encode_scaled(std::span<const LinearRgb> light, float gain, std::span<Srgb8
   encode_row(scaled, out);
 }
 
+void in_rows(Workers& workers, int height, const std::function<void(int y)>& body) {
+  constexpr int kRows = 16;
+  workers.run((height + kRows - 1) / kRows, [&](int task, int) {
+    for (int y = task * kRows; y < std::min(height, (task + 1) * kRows); ++y) body(y);
+  });
+}
+
 }  // namespace
 
-Monitor::Monitor(const TubeSettings& settings, PixelFormat format, int pages, int width, int height)
-    : buffer_(settings.mode.horizontal.active, settings.mode.vertical.active, format, pages),
-      tube_(settings, fit_within({width, height}, kAspect).width,
-            fit_within({width, height}, kAspect).height) {
-  place(width, height);
-}
+Monitor::Monitor(const TubeSettings& settings, PixelFormat format, const Rect& room)
+    : buffer_(settings.mode.horizontal.active, settings.mode.vertical.active, format, kPages),
+      face_(fitted(room)),
+      tube_(settings, static_cast<int>(face_.width), static_cast<int>(face_.height)),
+      sum_(std::make_shared<Image<LinearRgb>>()) {}
 
-void Monitor::place(int width, int height) {
-  const Size face = fit_within({width, height}, kAspect);
-  width_ = face.width;
-  height_ = face.height;
-  left_ = (width - face.width) / 2;
-  top_ = (height - face.height) / 2;
-}
-
-void Monitor::resize(int width, int height) {
-  place(width, height);
-  tube_.resize(width_, height_);
+void Monitor::resize(const Rect& room) {
+  face_ = fitted(room);
+  tube_.resize(static_cast<int>(face_.width), static_cast<int>(face_.height));
 }
 
 std::size_t Monitor::state_bytes() const {
-  const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  const auto pixels = static_cast<std::size_t>(face_.width * face_.height);
   const auto page =
       static_cast<std::size_t>(buffer_.pitch_bytes()) * static_cast<std::size_t>(buffer_.height());
-  return pixels * 2 * sizeof(LinearRgb) + page * static_cast<std::size_t>(buffer_.pages());
+  return pixels * 2 * sizeof(LinearRgb) + page * kPages;
 }
 
 void Monitor::switch_on(Seconds now) {
@@ -60,9 +68,8 @@ void Monitor::switch_on(Seconds now) {
 bool Monitor::frame_begins(const Step& step) {
   if (!on_) switch_on(step.exposure.begin);
   // A frame that begins within rounding of the step's end belongs to the next step.
-  const double period = refresh().period().count();
-  const auto frame =
-      static_cast<std::int64_t>(std::floor(tube_time(step.exposure.begin).count() / period + 1e-6));
+  const double frames = tube_time(step.exposure.begin) / refresh().period();
+  const auto frame = static_cast<std::int64_t>(std::floor(frames + 1e-6));
   if (frame == frame_) return false;
   frame_ = frame;
   return true;
@@ -75,22 +82,51 @@ void Monitor::show(const Image<Srgb8>& picture) {
   shown_ = true;
 }
 
-void Monitor::expose(const Step& step, Workers& workers, Image<Srgb8>& picture, double stops) {
-  const Image<LinearRgb>& light = tube_.expose(buffer_, tube_time(step.exposure.end), workers);
+/// Light is additive in time: the parts between deeds add up to the whole.
+const Image<LinearRgb>& Monitor::gather(const Step& step, Workers& workers,
+                                        const std::vector<Deed>& deeds) {
+  const auto expose_to = [&](Seconds end) -> const Image<LinearRgb>& {
+    return tube_.expose(buffer_, tube_time(end), workers);
+  };
+  Image<LinearRgb>& sum = *sum_;
+  bool any = false;
+  Seconds now = step.exposure.begin;
+  const auto add = [&](Seconds end) {
+    if (!(end > now)) return;
+    now = end;
+    const Image<LinearRgb>& part = expose_to(end);
+    if (!std::exchange(any, true)) {
+      sum = part;
+      return;
+    }
+    in_rows(workers, sum.height(), [&](int y) {
+      for (int x = 0; x < sum.width(); ++x) {
+        LinearRgb& s = sum.at(x, y);
+        const LinearRgb p = part.at(x, y);
+        s = {s.r + p.r, s.g + p.g, s.b + p.b};
+      }
+    });
+  };
+  if (deeds.empty()) return expose_to(step.exposure.end);
+  for (const Deed& deed : deeds) {
+    add(std::min(deed.when, step.exposure.end));
+    deed.deed();
+  }
+  add(step.exposure.end);
+  return sum;
+}
+
+void Monitor::expose(const Step& step, Workers& workers, Image<Srgb8>& picture, double stops,
+                     const std::vector<Deed>& deeds) {
+  if (!on_) switch_on(step.exposure.begin);
+  const Image<LinearRgb>& light = gather(step, workers, deeds);
   const double gain = refresh().period() / step.exposure.length() * std::exp2(-stops);
   // An exposure of one period, give or take rounding, needs none.
   const float applied = std::abs(gain - 1) < 1e-6 ? 1.0f : static_cast<float>(gain);
-  constexpr int kRows = 16;
-  workers.run((picture.height() + kRows - 1) / kRows, [&](int task, int) {
-    for (int y = task * kRows; y < std::min(picture.height(), (task + 1) * kRows); ++y) {
-      const std::span<Srgb8> row(picture.row(y), static_cast<std::size_t>(picture.width()));
-      const bool inside = y >= top_ && y < top_ + height_;
-      if (!inside || width_ < picture.width()) std::fill(row.begin(), row.end(), Srgb8{});
-      if (!inside) continue;
-      const auto width = static_cast<std::size_t>(width_);
-      encode_scaled({light.row(y - top_), width}, applied,
-                    row.subspan(static_cast<std::size_t>(left_), width));
-    }
+  const int left = static_cast<int>(face_.x), top = static_cast<int>(face_.y);
+  const auto width = static_cast<std::size_t>(light.width());
+  in_rows(workers, light.height(), [&](int y) {
+    encode_scaled({light.row(y), width}, applied, {picture.row(top + y) + left, width});
   });
 }
 

@@ -3,8 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
 
 #include "demos/demo.h"
+#include "demos/ui/canvas.h"
 #include "display/frame_buffer.h"
 #include "display/raster_tube.h"
 
@@ -12,44 +16,55 @@ namespace kinescope {
 
 class Monitor {
  public:
-  /// The tube fills the largest part of a picture of width x height that has its own shape.
-  Monitor(const TubeSettings& settings, PixelFormat format, int pages, int width, int height);
+  /// The tube fills the largest part of `room` (pixels of the picture) that has its own shape.
+  Monitor(const TubeSettings& settings, PixelFormat format, const Rect& room);
 
   FrameBuffer& buffer() { return buffer_; }
   const RasterScan& scan() const { return tube_.scan(); }
   Rate refresh() const { return scan().mode().frame_rate(); }
   std::size_t state_bytes() const;
-  void resize(int width, int height);
-
-  /// Where the active raster lies, pixels of the demo's picture.
-  int left() const { return left_; }
-  int top() const { return top_; }
-  int width() const { return width_; }
-  int height() const { return height_; }
+  void resize(const Rect& room);
+  /// Where the active raster lies in the picture, whole pixels.
+  const Rect& face() const { return face_; }
 
   /// True once a refresh: a frame begins in this step, so the next picture may be drawn now.
   bool frame_begins(const Step& step);
   /// Stores a whole picture for the next vertical retrace; the very first is shown at once.
   void show(const Image<Srgb8>& picture);
-  /// Lays the step's light into the picture. Shorter exposures than a refresh are as bright as long
-  /// ones: light is divided by the exposure's length, and by 2^stops.
-  void expose(const Step& step, Workers& workers, Image<Srgb8>& picture, double stops = 0);
+
+  /// What a program does to the frame buffer at a moment, in demo time.
+  struct Deed {
+    Seconds when;
+    std::function<void()> deed;
+  };
+  /// Lays the step's light into the picture's face(). Shorter exposures than a refresh are as
+  /// bright as long ones: light is divided by the exposure's length, and by 2^stops.
+  /// @param deeds in order of time; those outside the exposure are done at its ends
+  void expose(const Step& step, Workers& workers, Image<Srgb8>& picture, double stops = 0,
+              const std::vector<Deed>& deeds = {});
   /// Dark until it is exposed again; its scan then starts anew.
   void switch_off() { on_ = false; }
   /// The tube's own time, which began when it was switched on.
   Seconds tube_time(Seconds demo_time) const { return demo_time - origin_; }
 
  private:
-  void place(int width, int height);
   void switch_on(Seconds now);
+  const Image<LinearRgb>& gather(const Step& step, Workers& workers,
+                                 const std::vector<Deed>& deeds);
 
   FrameBuffer buffer_;
-  int left_ = 0, top_ = 0, width_ = 1, height_ = 1;
+  Rect face_;
   RasterTube tube_;
   std::int64_t frame_ = -1;
   bool shown_ = false;
   bool on_ = true;
   Seconds origin_{0};
+  std::shared_ptr<Image<LinearRgb>> sum_;  // nothing in it outlives a step
 };
+
+/// All of a demo's picture.
+inline Rect whole_picture(const Demo& demo) {
+  return {0, 0, static_cast<float>(demo.width()), static_cast<float>(demo.height())};
+}
 
 }  // namespace kinescope

@@ -66,7 +66,7 @@ class Teapot : public ClonableDemo<Teapot> {
                     toggle_knob("turning", "t", true, "turn while nobody drags"),
                     number_knob("fineness", "-", "=", 2, 18, 2, 10, "",
                                 "quads along each side of a Bezier patch")}),
-        monitor_({parse_mode("640x480@60")}, PixelFormat::kXrgb8888, 2, setup.width, setup.height),
+        monitor_({parse_mode("640x480@60")}, PixelFormat::kXrgb8888, whole_picture(*this)),
         scene_(teapot_scene(10)),
         easel_(std::make_shared<Easel>(setup.studio->workers)) {
     orbit_.distance = 8.2f;
@@ -78,7 +78,7 @@ class Teapot : public ClonableDemo<Teapot> {
   Rate refresh() const override { return monitor_.refresh(); }
 
  private:
-  void resized() override { monitor_.resize(width(), height()); }
+  void resized() override { monitor_.resize(whole_picture(*this)); }
 
   void update(const Step& step) override {
     for (const InputEvent& event : step.events) orbit_.answer(event);
