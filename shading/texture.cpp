@@ -69,10 +69,19 @@ void Texture::lay_out(int width, int height) {
   texels_.resize(texels);
 }
 
-Texel* Texture::mutable_row(int i, int y) { return const_cast<Texel*>(level(i).row(y)); }
+Texel* Texture::mutable_row(int i, int y) {
+  return texels_.data() + (view(i).row(y) - texels_.data());
+}
+
+Image<Texel> Texture::level(int i) const {
+  const Level from = view(i);
+  Image<Texel> copy(from.width(), from.height());
+  for (int y = 0; y < from.height(); ++y) std::copy_n(from.row(y), from.width(), copy.row(y));
+  return copy;
+}
 
 void Texture::pad(int i) {
-  const Level place = level(i);
+  const Level place = view(i);
   for (int y = 0; y < place.height(); ++y) {
     Texel* row = mutable_row(i, y);
     row[place.width()] = row[0];
@@ -83,14 +92,14 @@ void Texture::pad(int i) {
 void Texture::build_chain() {
   for (int i = 0; i < levels(); ++i) {
     if (i > 0) {
-      for (int y = 0; y < level(i).height(); ++y) {
-        average_row(level(i - 1), level(i), y, mutable_row(i, y));
+      for (int y = 0; y < view(i).height(); ++y) {
+        average_row(view(i - 1), view(i), y, mutable_row(i, y));
       }
     }
     pad(i);
   }
   if (levels() == 0) return;
-  const Level picture = level(0);
+  const Level picture = view(0);
   for (int y = 0; y < picture.height() && !has_alpha_; ++y) {
     has_alpha_ = std::any_of(picture.row(y), picture.row(y) + picture.width(),
                              [](const Texel& t) { return t.a != 65535; });

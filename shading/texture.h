@@ -62,7 +62,10 @@ class Texture {
   Wrap wrap_v = Wrap::kRepeat;
 
   int levels() const { return static_cast<int>(places_.size()); }
-  Level level(int i) const {
+  /// A copy of level i, without padding.
+  Image<Texel> level(int i) const;
+  /// Level i in place.
+  Level view(int i) const {
     const Place& place = places_[static_cast<std::size_t>(i)];
     return {texels_.data() + place.offset, place.width, place.height};
   }

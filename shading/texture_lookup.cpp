@@ -76,23 +76,23 @@ HWY_INLINE Neighbours neighbours(Vec u, int size, Wrap wrap) {
 
 HWY_INLINE hn::Vec<Ints> offsets(const Texture& texture, int level, Vec x, Vec y) {
   const Ints di;
-  const Texture::Level picture = texture.level(level);
-  const auto base = static_cast<std::int32_t>(picture.row(0) - texture.level(0).row(0));
+  const Texture::Level picture = texture.view(level);
+  const auto base = static_cast<std::int32_t>(picture.row(0) - texture.view(0).row(0));
   const auto row = hn::Mul(hn::ConvertTo(di, y), hn::Set(di, picture.stride()));
   return hn::Add(hn::Add(row, hn::ConvertTo(di, x)), hn::Set(di, base));
 }
 
 HWY_INLINE Place bilinear_place(const Texture& texture, int level, Vec u, Vec v) {
-  const Neighbours x = neighbours(u, texture.level(level).width(), texture.wrap_u);
-  const Neighbours y = neighbours(v, texture.level(level).height(), texture.wrap_v);
+  const Neighbours x = neighbours(u, texture.view(level).width(), texture.wrap_u);
+  const Neighbours y = neighbours(v, texture.view(level).height(), texture.wrap_v);
   return {offsets(texture, level, x.first, y.first), x.fraction, y.fraction};
 }
 
 HWY_INLINE Vec level_of_detail(const Texture& texture, const Batch& batch, int i) {
   const Floats d;
   if (batch.du_dx == nullptr) return hn::Zero(d);
-  const Vec width = hn::Set(d, static_cast<float>(texture.level(0).width()));
-  const Vec height = hn::Set(d, static_cast<float>(texture.level(0).height()));
+  const Vec width = hn::Set(d, static_cast<float>(texture.view(0).width()));
+  const Vec height = hn::Set(d, static_cast<float>(texture.view(0).height()));
   const auto squared = [&](const float* du, const float* dv) HWY_ATTR {
     const Vec across = hn::Mul(hn::Load(d, du + i), width);
     const Vec down = hn::Mul(hn::Load(d, dv + i), height);
@@ -117,7 +117,7 @@ HWY_INLINE void nearest_vector(const Texture& texture, Vec u, Vec v, int count, 
     return hn::Min(hn::Floor(hn::Mul(x, hn::Set(d, static_cast<float>(size)))),
                    hn::Set(d, static_cast<float>(size - 1)));
   };
-  const Texture::Level picture = texture.level(0);
+  const Texture::Level picture = texture.view(0);
   alignas(64) std::int32_t offset[kLanes];
   hn::Store(offsets(texture, 0, whole(u, picture.width()), whole(v, picture.height())), Ints(),
             offset);
@@ -127,7 +127,7 @@ HWY_INLINE void nearest_vector(const Texture& texture, Vec u, Vec v, int count, 
 HWY_INLINE void bilinear_vector(const Texture& texture, Vec u, Vec v, int count, LinearRgba* out) {
   PlaceArrays place;
   place.store(bilinear_place(texture, 0, u, v));
-  const Texture::Level picture = texture.level(0);
+  const Texture::Level picture = texture.view(0);
   for (int k = 0; k < count; ++k) {
     write(bilinear(picture.row(0), picture.stride(), place, k), out + k);
   }
@@ -144,12 +144,12 @@ HWY_INLINE void trilinear_vector(const Texture& texture, Vec u, Vec v, Vec lod, 
   alignas(64) std::int32_t stride[2][kLanes];
   Place a = bilinear_place(texture, first_level, u, v);
   Place b = a;
-  hn::Vec<Ints> stride_a = hn::Set(Ints(), texture.level(first_level).stride());
+  hn::Vec<Ints> stride_a = hn::Set(Ints(), texture.view(first_level).stride());
   hn::Vec<Ints> stride_b = stride_a;
   // Neighbouring fragments mostly lie on the same two levels.
   for (int level = first_level + 1; level <= last_level; ++level) {
     const Place place = bilinear_place(texture, level, u, v);
-    const auto strides = hn::Set(Ints(), texture.level(level).stride());
+    const auto strides = hn::Set(Ints(), texture.view(level).stride());
     const Vec number = hn::Set(d, static_cast<float>(level));
     const auto merge = [&](Place& into, hn::Vec<Ints>& into_stride, auto mask) HWY_ATTR {
       const auto int_mask = hn::RebindMask(Ints(), mask);
@@ -168,7 +168,7 @@ HWY_INLINE void trilinear_vector(const Texture& texture, Vec u, Vec v, Vec lod, 
   hn::Store(stride_b, Ints(), stride[1]);
   alignas(64) float between[kLanes];
   hn::Store(hn::Sub(lod, fine), d, between);
-  const Texel* texels = texture.level(0).row(0);
+  const Texel* texels = texture.view(0).row(0);
   for (int k = 0; k < count; ++k) {
     write(mix(bilinear(texels, stride[0][k], fine_place, k),
               bilinear(texels, stride[1][k], coarse_place, k), between[k]),

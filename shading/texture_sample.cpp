@@ -72,24 +72,24 @@ LinearRgba Texture::sample(float u, float v, float lod) const {
   u = wrapped(u, wrap_u);
   v = wrapped(v, wrap_v);
   if (filter == Filter::kNearest) {
-    const Level picture = level(0);
+    const Level picture = view(0);
     return normalized(
         widened(picture.at(nearest(u, picture.width()), nearest(v, picture.height()))));
   }
-  if (filter == Filter::kBilinear) return normalized(bilinear(level(0), u, v, *this));
+  if (filter == Filter::kBilinear) return normalized(bilinear(view(0), u, v, *this));
   const float last = static_cast<float>(levels() - 1);
   lod = lod >= 0.0f ? std::min(lod, last) : 0.0f;
   const float floor = std::floor(lod);
   const int fine = static_cast<int>(floor);
   const int coarse = std::min(fine + 1, levels() - 1);
   return normalized(
-      mix(bilinear(level(fine), u, v, *this), bilinear(level(coarse), u, v, *this), lod - floor));
+      mix(bilinear(view(fine), u, v, *this), bilinear(view(coarse), u, v, *this), lod - floor));
 }
 
 float level_of_detail(const Texture& texture, float du_dx, float dv_dx, float du_dy, float dv_dy) {
   if (texture.levels() == 0) return 0.0f;
-  const float width = static_cast<float>(texture.level(0).width());
-  const float height = static_cast<float>(texture.level(0).height());
+  const float width = static_cast<float>(texture.view(0).width());
+  const float height = static_cast<float>(texture.view(0).height());
   const float right = std::hypot(du_dx * width, dv_dx * height);
   const float down = std::hypot(du_dy * width, dv_dy * height);
   return std::log2(std::max(right, down));
