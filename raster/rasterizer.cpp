@@ -8,6 +8,8 @@
 #include "raster/base/error.h"
 #include "raster/binning.h"
 #include "raster/fragment_batches.h"
+#include "raster/kernels/cull.h"
+#include "raster/kernels/small_triangles.h"
 #include "raster/kernels/spans.h"
 #include "raster/resolve.h"
 #include "raster/tile.h"
@@ -17,14 +19,9 @@
 namespace kinescope {
 namespace {
 
-/// Consecutive triangles of one call: what one task of the front end takes.
-struct TriangleRange {
-  static constexpr std::uint32_t kMaxCount = 2048;
-  std::uint32_t call, first, count;
-};
-
 /// What one worker owns for the whole frame. Cache lines are not shared between workers.
 struct alignas(64) WorkerState {
+  CulledTriangles culled;
   Bins bins;
   TileBuffer tile;
   VisibleFragments visible;
@@ -97,10 +94,15 @@ void Rasterizer::Frame::begin(RenderTarget& target, std::span<const DrawCall> dr
 void Rasterizer::Frame::bin_range(const TriangleRange& range, WorkerState& state) const {
   const DrawCall& call = calls.calls[range.call];
   const std::uint32_t first_id = calls.first_id[range.call];
+  CulledTriangles& culled = state.culled;
+  cull_triangles(call, range.first, range.count, pattern, grid, culled);
+  draw_small_triangles(culled, first_id, pattern, grid, state.bins);
+  state.stats.drawn += static_cast<std::uint64_t>(culled.small_size);
   SnappedTriangle triangle;
-  for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
-    if (set_up_triangle(call, i, triangle) &&
-        bin_triangle(triangle, first_id + i, pattern, grid, state.bins)) {
+  for (int i = 0; i < culled.large_size; ++i) {
+    const std::uint32_t index = culled.large_triangle[static_cast<std::size_t>(i)];
+    if (set_up_triangle(call, index, triangle) &&
+        bin_triangle(triangle, first_id + index, pattern, grid, state.bins)) {
       ++state.stats.drawn;
     }
   }
@@ -115,6 +117,7 @@ void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash
       draw_records({chunk->records.data(), static_cast<std::size_t>(chunk->size)}, pattern,
                    state.tile);
     }
+    merge_fragments(from.bins.fragments[static_cast<std::size_t>(tile)], state.tile);
   }
   if (want_hash) state.stats.visibility_hash += tile_hash(state.tile, target.width);
   gather_visible(state.tile, state.visible);

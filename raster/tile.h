@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "raster/aligned_vector.h"
-#include "raster/tile_grid.h"
+#include "raster/bins.h"
 
 namespace kinescope {
 
@@ -29,5 +29,8 @@ struct TileBuffer {
     id.assign(total, kNothing);
   }
 };
+
+/// Depth-tests finished fragments.
+void merge_fragments(const ChunkList<FragmentChunk>& fragments, TileBuffer& tile);
 
 }  // namespace kinescope

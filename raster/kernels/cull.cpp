@@ -1,0 +1,160 @@
+#include "raster/kernels/cull.h"
+
+#include <algorithm>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/kernels/cull.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace kinescope::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 16>;
+using I = hn::RebindToSigned<F>;
+using U = hn::RebindToUnsigned<F>;
+using VF = hn::Vec<F>;
+using VI = hn::Vec<I>;
+using VU = hn::Vec<U>;
+
+/// Vertex k of several triangles.
+struct Corner {
+  VI x, y;
+  VF z;
+};
+
+/// A range of pixels [first, end) along one axis, and the box's extent in raw units.
+struct Extent {
+  VI first, end, raw;
+};
+
+HWY_INLINE Corner load_corner(const DeviceVertices& from, VU vertex, hn::Mask<F>& drawable) {
+  const F f;
+  const I i;
+  const auto at = hn::BitCast(i, vertex);
+  const auto guard = hn::Set(f, DeviceVertices::kGuardBand);
+  const auto largest = hn::Set(f, std::numeric_limits<float>::max());
+  const VF x = hn::GatherIndex(f, from.x_px.data(), at);
+  const VF y = hn::GatherIndex(f, from.y_px.data(), at);
+  const VF z = hn::GatherIndex(f, from.z.data(), at);
+  // NaN fails each comparison.
+  drawable = hn::And(drawable, hn::And(hn::Le(hn::Abs(x), guard), hn::Le(hn::Abs(y), guard)));
+  drawable = hn::And(drawable, hn::Le(hn::Abs(z), largest));
+  const auto scale = hn::Set(f, static_cast<float>(Fixed24_8::kOne));
+  const auto clamped = hn::Min(hn::Max(z, hn::Zero(f)), hn::Set(f, 1.0f));
+  return {hn::NearestInt(hn::Mul(x, scale)), hn::NearestInt(hn::Mul(y, scale)),
+          hn::Add(clamped, hn::Zero(f))};  // -0 becomes 0
+}
+
+HWY_INLINE Extent extent_of(VI a, VI b, VI c, std::int32_t least_offset, std::int32_t most_offset) {
+  const I i;
+  const VI lo = hn::Min(hn::Min(a, b), c), hi = hn::Max(hn::Max(a, b), c);
+  return {hn::ShiftRight<8>(hn::Add(lo, hn::Set(i, 255 - most_offset))),
+          hn::Add(hn::ShiftRight<8>(hn::Sub(hi, hn::Set(i, least_offset))), hn::Set(i, 1)),
+          hn::Sub(hi, lo)};
+}
+
+template <typename D, typename V, typename M>
+HWY_INLINE void append(D d, V v, M mask, hn::TFromD<D>* to) {
+  hn::StoreU(hn::Compress(v, hn::RebindMask(d, mask)), d, to);
+}
+
+HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits, VU v0, VU v1, VU v2,
+                            std::uint32_t first, CulledTriangles& out) {
+  const F f;
+  const I i;
+  const U u;
+  auto drawable = hn::FirstN(f, hn::Lanes(f));
+  const Corner a = load_corner(call.vertices, v0, drawable);
+  const Corner b = load_corner(call.vertices, v1, drawable);
+  const Corner c = load_corner(call.vertices, v2, drawable);
+  const Extent ex = extent_of(a.x, b.x, c.x, limits.least_x, limits.most_x);
+  const Extent ey = extent_of(a.y, b.y, c.y, limits.least_y, limits.most_y);
+  const VI zero = hn::Zero(i), width = hn::Set(i, limits.width), height = hn::Set(i, limits.height);
+  const auto touches = hn::And(hn::Lt(hn::Max(ex.first, zero), hn::Min(ex.end, width)),
+                               hn::Lt(hn::Max(ey.first, zero), hn::Min(ey.end, height)));
+  // Up to 64 pixels the area fits 32 bits.
+  const VI extent = hn::Max(ex.raw, ey.raw);
+  const auto fits = hn::Lt(extent, hn::Set(i, 64 * 256));
+  const VI area = hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)),
+                          hn::Mul(hn::Sub(c.x, a.x), hn::Sub(b.y, a.y)));
+  const auto front = hn::Lt(area, zero), back = hn::Gt(area, zero);
+  const auto faces = limits.mode == CullMode::kBack    ? front
+                     : limits.mode == CullMode::kFront ? back
+                                                       : hn::Or(front, back);
+  const auto keep =
+      hn::And(hn::RebindMask(i, drawable), hn::And(touches, hn::Or(faces, hn::Not(fits))));
+  if (hn::AllFalse(i, keep)) return;
+  // Small triangles lie within the target, so that their own edges bound every loop over them.
+  const auto outside = hn::Or(hn::Or(hn::Lt(ex.first, zero), hn::Lt(ey.first, zero)),
+                              hn::Or(hn::Gt(ex.end, width), hn::Gt(ey.end, height)));
+  const auto is_small = hn::AndNot(
+      outside, hn::And(keep, hn::Lt(extent, hn::Set(i, CulledTriangles::kSmallPx * 256))));
+  const auto is_large = hn::AndNot(is_small, keep);
+  const VU triangle = hn::Add(hn::Iota(u, 0), hn::Set(u, first));
+  if (!hn::AllFalse(i, is_large)) {
+    append(u, triangle, is_large, out.large_triangle.data() + out.large_size);
+    out.large_size += static_cast<int>(hn::CountTrue(i, is_large));
+  }
+  const int n = out.small_size;
+  const auto front_f = hn::RebindMask(f, front);
+  append(i, a.x, is_small, out.x[0].data() + n);
+  append(i, a.y, is_small, out.y[0].data() + n);
+  append(f, a.z, is_small, out.z[0].data() + n);
+  append(i, hn::IfThenElse(front, c.x, b.x), is_small, out.x[1].data() + n);
+  append(i, hn::IfThenElse(front, c.y, b.y), is_small, out.y[1].data() + n);
+  append(f, hn::IfThenElse(front_f, c.z, b.z), is_small, out.z[1].data() + n);
+  append(i, hn::IfThenElse(front, b.x, c.x), is_small, out.x[2].data() + n);
+  append(i, hn::IfThenElse(front, b.y, c.y), is_small, out.y[2].data() + n);
+  append(f, hn::IfThenElse(front_f, b.z, c.z), is_small, out.z[2].data() + n);
+  append(u, triangle, is_small, out.small_triangle.data() + n);
+  out.small_size = n + static_cast<int>(hn::CountTrue(i, is_small));
+}
+
+void CullTriangles(const DrawCall& call, const CullLimits& limits, std::uint32_t first,
+                   std::uint32_t count, CulledTriangles& out) {
+  const U u;
+  const auto lanes = static_cast<std::uint32_t>(hn::Lanes(u));
+  const std::uint32_t* const index = call.indices.data() + std::size_t{3} * first;
+  VU v0, v1, v2;
+  std::uint32_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    hn::LoadInterleaved3(u, index + std::size_t{3} * i, v0, v1, v2);
+    cull_vector(call, limits, v0, v1, v2, first + i, out);
+  }
+  if (i == count) return;
+  // The rest, filled up with triangles of no area.
+  HWY_ALIGN std::array<std::uint32_t, 48> rest;
+  rest.fill(index[0]);
+  std::copy_n(index + std::size_t{3} * i, std::size_t{3} * (count - i), rest.begin());
+  hn::LoadInterleaved3(u, rest.data(), v0, v1, v2);
+  cull_vector(call, limits, v0, v1, v2, first + i, out);
+}
+
+}  // namespace kinescope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kinescope {
+
+HWY_EXPORT(CullTriangles);
+
+void cull_triangles(const DrawCall& call, std::uint32_t first, std::uint32_t count,
+                    std::span<const SampleOffset> pattern, const TileGrid& grid,
+                    CulledTriangles& out) {
+  CullLimits limits{256, 0, 256, 0, grid.width, grid.height, call.cull};
+  for (const SampleOffset& o : pattern) {
+    limits.least_x = std::min(limits.least_x, o.x.raw());
+    limits.most_x = std::max(limits.most_x, o.x.raw());
+    limits.least_y = std::min(limits.least_y, o.y.raw());
+    limits.most_y = std::max(limits.most_y, o.y.raw());
+  }
+  out.small_size = 0;
+  out.large_size = 0;
+  HWY_DYNAMIC_DISPATCH(CullTriangles)(call, limits, first, count, out);
+}
+
+}  // namespace kinescope
+#endif

@@ -1,0 +1,263 @@
+#include "raster/kernels/small_triangles.h"
+
+#include <algorithm>
+#include <array>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/kernels/small_triangles.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace kinescope::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 8>;
+using I = hn::RebindToSigned<F>;
+using U = hn::RebindToUnsigned<F>;
+using VF = hn::Vec<F>;
+using VI = hn::Vec<I>;
+using VU = hn::Vec<U>;
+
+/// One edge of each triangle. Stepping by a pixel adds step_x or step_y to E / 256, rounded down:
+/// pixels lie 256 raw units apart, so the sign stays exact.
+struct Edges {
+  VI step_x, step_y;
+  VI at_origin;  // E with the top-left bias, in raw units squared, at the box's first pixel corner
+};
+
+struct Group {
+  Edges edge[3];
+  VI x, y;  // first pixel of the box
+  VF anchor_x, anchor_y, z, dz_dx, dz_dy, nearest, farthest;
+  VU id;
+  int columns, rows;  // of the largest box
+};
+
+HWY_INLINE Edges edge_of(VI xa, VI ya, VI xb, VI yb, VI corner_x, VI corner_y) {
+  const I i;
+  const VI dx = hn::Sub(xb, xa), dy = hn::Sub(yb, ya), zero = hn::Zero(i);
+  const auto top_left = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
+  const VI e = hn::Sub(hn::Mul(dx, hn::Sub(corner_y, ya)), hn::Mul(dy, hn::Sub(corner_x, xa)));
+  return {hn::Neg(dy), dx, hn::Sub(e, hn::IfThenZeroElse(top_left, hn::Set(i, 1)))};
+}
+
+HWY_INLINE VF to_px(VI raw) {
+  const F f;
+  return hn::Mul(hn::ConvertTo(f, raw), hn::Set(f, 1.0f / 256.0f));
+}
+
+/// The same operations as set_up_triangle's, in its order.
+HWY_INLINE void set_depth(const CulledTriangles& t, std::size_t k, VI x1, VI y1, VI x2, VI y2,
+                          Group& g) {
+  const F f;
+  const VF z0 = hn::LoadU(f, t.z[0].data() + k);
+  const VF z1 = hn::LoadU(f, t.z[1].data() + k);
+  const VF z2 = hn::LoadU(f, t.z[2].data() + k);
+  const VF z10 = hn::Sub(z1, z0), z20 = hn::Sub(z2, z0);
+  const VI area = hn::Sub(hn::Mul(x1, y2), hn::Mul(x2, y1));
+  const VF inverse = hn::Div(hn::Set(f, 1.0f), hn::ConvertTo(f, area));
+  const VF num_x = hn::Sub(hn::Mul(z10, hn::ConvertTo(f, y2)), hn::Mul(z20, hn::ConvertTo(f, y1)));
+  const VF num_y = hn::Sub(hn::Mul(z20, hn::ConvertTo(f, x1)), hn::Mul(z10, hn::ConvertTo(f, x2)));
+  const VF to_pixels = hn::Set(f, 256.0f);
+  g.z = z0;
+  g.dz_dx = hn::Mul(hn::Mul(num_x, inverse), to_pixels);
+  g.dz_dy = hn::Mul(hn::Mul(num_y, inverse), to_pixels);
+  g.nearest = hn::Min(hn::Min(z0, z1), z2);
+  g.farthest = hn::Max(hn::Max(z0, z1), z2);
+}
+
+HWY_INLINE Group set_up(const CulledTriangles& t, std::size_t k, std::uint32_t first_id,
+                        const Fixed24_8* offsets_min_max) {
+  const I i;
+  const U u;
+  const VI x0 = hn::LoadU(i, t.x[0].data() + k), y0 = hn::LoadU(i, t.y[0].data() + k);
+  const VI x1 = hn::LoadU(i, t.x[1].data() + k), y1 = hn::LoadU(i, t.y[1].data() + k);
+  const VI x2 = hn::LoadU(i, t.x[2].data() + k), y2 = hn::LoadU(i, t.y[2].data() + k);
+  const auto first = [&](VI a, VI b, VI c, Fixed24_8 most) {
+    return hn::ShiftRight<8>(hn::Add(hn::Min(hn::Min(a, b), c), hn::Set(i, 255 - most.raw())));
+  };
+  const auto last = [&](VI a, VI b, VI c, Fixed24_8 least) {
+    return hn::ShiftRight<8>(hn::Sub(hn::Max(hn::Max(a, b), c), hn::Set(i, least.raw())));
+  };
+  Group g;
+  g.x = first(x0, x1, x2, offsets_min_max[1]);
+  g.y = first(y0, y1, y2, offsets_min_max[3]);
+  const VI columns = hn::Sub(last(x0, x1, x2, offsets_min_max[0]), g.x);
+  const VI rows = hn::Sub(last(y0, y1, y2, offsets_min_max[2]), g.y);
+  g.columns = hn::GetLane(hn::MaxOfLanes(i, columns)) + 1;
+  g.rows = hn::GetLane(hn::MaxOfLanes(i, rows)) + 1;
+  const VI corner_x = hn::ShiftLeft<8>(g.x), corner_y = hn::ShiftLeft<8>(g.y);
+  g.edge[0] = edge_of(x0, y0, x1, y1, corner_x, corner_y);
+  g.edge[1] = edge_of(x1, y1, x2, y2, corner_x, corner_y);
+  g.edge[2] = edge_of(x2, y2, x0, y0, corner_x, corner_y);
+  g.anchor_x = to_px(x0);
+  g.anchor_y = to_px(y0);
+  set_depth(t, k, hn::Sub(x1, x0), hn::Sub(y1, y0), hn::Sub(x2, x0), hn::Sub(y2, y0), g);
+  g.id = hn::Add(hn::LoadU(u, t.small_triangle.data() + k), hn::Set(u, first_id));
+  return g;
+}
+
+/// Calls sink(mask, x, y, z) for each step across the boxes of a group, for one sample.
+template <typename Sink>
+HWY_INLINE void draw_sample(const Group& g, SampleOffset sample, const Sink& sink) {
+  const F f;
+  const I i;
+  const VI minus_one = hn::Set(i, -1), one = hn::Set(i, 1);
+  VI row_e[3];
+  for (int e = 0; e < 3; ++e) {
+    const Edges& edge = g.edge[e];
+    const VI shifted = hn::Add(hn::Mul(edge.step_y, hn::Set(i, sample.y.raw())),
+                               hn::Mul(edge.step_x, hn::Set(i, sample.x.raw())));
+    row_e[e] = hn::ShiftRight<8>(hn::Add(edge.at_origin, shifted));
+  }
+  const VF sample_x = hn::Set(f, sample.x.to_float()), sample_y = hn::Set(f, sample.y.to_float());
+  VI y = g.y;
+  for (int r = 0; r < g.rows; ++r) {
+    const VF py = hn::Add(hn::ConvertTo(f, y), sample_y);
+    const VF row_z = hn::Add(g.z, hn::Mul(g.dz_dy, hn::Sub(py, g.anchor_y)));
+    VI e0 = row_e[0], e1 = row_e[1], e2 = row_e[2], x = g.x;
+    for (int c = 0; c < g.columns; ++c) {
+      const auto covered = hn::Gt(hn::Or(hn::Or(e0, e1), e2), minus_one);
+      if (!hn::AllFalse(i, covered)) {
+        const VF px = hn::Add(hn::ConvertTo(f, x), sample_x);
+        const VF plane = hn::Add(row_z, hn::Mul(g.dz_dx, hn::Sub(px, g.anchor_x)));
+        sink(covered, x, y, hn::Min(hn::Max(plane, g.nearest), g.farthest));
+      }
+      e0 = hn::Add(e0, g.edge[0].step_x);
+      e1 = hn::Add(e1, g.edge[1].step_x);
+      e2 = hn::Add(e2, g.edge[2].step_x);
+      x = hn::Add(x, one);
+    }
+    for (int e = 0; e < 3; ++e) row_e[e] = hn::Add(row_e[e], g.edge[e].step_y);
+    y = hn::Add(y, one);
+  }
+}
+
+/// A group whose triangles all lie in one tile: whole vectors are appended, compressed.
+HWY_INLINE void draw_in_tile(const Group& g, std::span<const SampleOffset> pattern,
+                             const TileGrid& grid, int tile, Bins& bins) {
+  const F f;
+  const I i;
+  const U u;
+  const int lanes = static_cast<int>(hn::Lanes(i));
+  const PixelRect rect = grid.rect(tile);
+  ChunkList<FragmentChunk>& list = bins.fragments[static_cast<std::size_t>(tile)];
+  FragmentChunk* chunk = &list.tail(bins.fragment_pool, lanes);
+  const VI stride = hn::Set(i, grid.tile_width);
+  for (std::size_t s = 0; s < pattern.size(); ++s) {
+    const int origin = static_cast<int>(s) * grid.tile_width * grid.tile_height -
+                       rect.y0 * grid.tile_width - rect.x0;
+    const VI base = hn::Set(i, origin);
+    draw_sample(g, pattern[s], [&](auto covered, VI x, VI y, VF z) HWY_ATTR {
+      if (chunk->size + lanes > FragmentChunk::kCapacity) {
+        chunk = &list.tail(bins.fragment_pool, lanes);
+      }
+      const VI place = hn::Add(hn::Add(hn::Mul(y, stride), x), base);
+      const auto n = static_cast<std::size_t>(chunk->size);
+      hn::StoreU(hn::Compress(hn::BitCast(u, place), hn::RebindMask(u, covered)), u,
+                 chunk->place.data() + n);
+      hn::StoreU(hn::Compress(z, hn::RebindMask(f, covered)), f, chunk->depth.data() + n);
+      hn::StoreU(hn::Compress(g.id, hn::RebindMask(u, covered)), u, chunk->id.data() + n);
+      chunk->size += static_cast<int>(hn::CountTrue(i, covered));
+    });
+  }
+}
+
+/// A group across several tiles: fragment by fragment.
+HWY_NOINLINE void draw_across_tiles(const Group& g, std::span<const SampleOffset> pattern,
+                                    const TileGrid& grid, Bins& bins) {
+  const F f;
+  const I i;
+  const U u;
+  constexpr std::size_t kLanes = 8;
+  alignas(32) std::array<std::int32_t, kLanes> xs, ys;
+  alignas(32) std::array<float, kLanes> zs;
+  alignas(32) std::array<std::uint32_t, kLanes> ids;
+  hn::Store(g.id, u, ids.data());
+  for (std::size_t s = 0; s < pattern.size(); ++s) {
+    draw_sample(g, pattern[s], [&](auto covered, VI x, VI y, VF z) HWY_ATTR {
+      hn::Store(x, i, xs.data());
+      hn::Store(y, i, ys.data());
+      hn::Store(z, f, zs.data());
+      alignas(8) std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(i, covered, bits);
+      for (unsigned left = bits[0]; left != 0; left &= left - 1) {
+        const auto k = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
+        const int column = xs[k] / grid.tile_width, row = ys[k] / grid.tile_height;
+        const int place = static_cast<int>(s) * grid.tile_width * grid.tile_height +
+                          (ys[k] - row * grid.tile_height) * grid.tile_width + xs[k] -
+                          column * grid.tile_width;
+        FragmentChunk& chunk =
+            bins.fragments[static_cast<std::size_t>(row * grid.columns + column)].tail(
+                bins.fragment_pool);
+        const auto n = static_cast<std::size_t>(chunk.size++);
+        chunk.place[n] = static_cast<std::uint32_t>(place);
+        chunk.depth[n] = zs[k];
+        chunk.id[n] = ids[k];
+      }
+    });
+  }
+}
+
+/// The tile that holds all boxes of the group, or -1.
+HWY_INLINE int common_tile(const Group& g, const TileGrid& grid) {
+  const I i;
+  const int x0 = hn::GetLane(hn::MinOfLanes(i, g.x));
+  const int y0 = hn::GetLane(hn::MinOfLanes(i, g.y));
+  const int x1 = hn::GetLane(hn::MaxOfLanes(i, g.x)) + g.columns - 1;
+  const int y1 = hn::GetLane(hn::MaxOfLanes(i, g.y)) + g.rows - 1;
+  const int column = x0 / grid.tile_width, row = y0 / grid.tile_height;
+  const bool one = x1 < (column + 1) * grid.tile_width && y1 < (row + 1) * grid.tile_height;
+  return one ? row * grid.columns + column : -1;
+}
+
+void DrawSmallTriangles(CulledTriangles& t, std::uint32_t first_id,
+                        std::span<const SampleOffset> pattern, const Fixed24_8* offsets_min_max,
+                        const TileGrid& grid, Bins& bins) {
+  const I i;
+  const auto lanes = static_cast<std::size_t>(hn::Lanes(i));
+  const auto size = static_cast<std::size_t>(t.small_size);
+  if (size == 0) return;
+  // The last vector is filled up with points: they cover nothing, and lie near the others.
+  const std::size_t padded = (size + lanes - 1) / lanes * lanes;
+  for (std::size_t k = size; k < padded; ++k) {
+    for (std::size_t v = 0; v < 3; ++v) {
+      t.x[v][k] = t.x[0][size - 1];
+      t.y[v][k] = t.y[0][size - 1];
+      t.z[v][k] = 0.0f;
+    }
+    t.small_triangle[k] = 0;
+  }
+  for (std::size_t k = 0; k < size; k += lanes) {
+    const Group g = set_up(t, k, first_id, offsets_min_max);
+    if (g.columns <= 0 || g.rows <= 0) continue;
+    const int tile = common_tile(g, grid);
+    if (tile >= 0) {
+      draw_in_tile(g, pattern, grid, tile, bins);
+    } else {
+      draw_across_tiles(g, pattern, grid, bins);
+    }
+  }
+}
+
+}  // namespace kinescope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kinescope {
+
+HWY_EXPORT(DrawSmallTriangles);
+
+void draw_small_triangles(CulledTriangles& triangles, std::uint32_t first_id,
+                          std::span<const SampleOffset> pattern, const TileGrid& grid, Bins& bins) {
+  std::array<Fixed24_8, 4> limits = {pattern[0].x, pattern[0].x, pattern[0].y, pattern[0].y};
+  for (const SampleOffset& o : pattern) {
+    limits = {std::min(limits[0], o.x), std::max(limits[1], o.x), std::min(limits[2], o.y),
+              std::max(limits[3], o.y)};
+  }
+  HWY_DYNAMIC_DISPATCH(DrawSmallTriangles)(triangles, first_id, pattern, limits.data(), grid, bins);
+}
+
+}  // namespace kinescope
+#endif
