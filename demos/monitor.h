@@ -44,11 +44,12 @@ class Monitor {
               const std::vector<Deed>& deeds = {});
   /// Dark until it is exposed again; its scan then starts anew.
   void switch_off() { on_ = false; }
+  /// Time 0 of its scan is demo time `now`; the faceplate is dark.
+  void switch_on(Seconds now);
   /// The tube's own time, which began when it was switched on.
   Seconds tube_time(Seconds demo_time) const { return demo_time - origin_; }
 
  private:
-  void switch_on(Seconds now);
   const Image<LinearRgb>& gather(const Step& step, Workers& workers,
                                  const std::vector<Deed>& deeds);
 

@@ -1,0 +1,97 @@
+// The beam's journey: along a line, back blanked, and from the last line up again.
+#include <array>
+
+#include "demos/beam_chart.h"
+#include "demos/demo.h"
+#include "demos/monitor.h"
+#include "demos/test_card.h"
+#include "display/video_mode.h"
+
+namespace kinescope {
+namespace {
+
+enum { kRaster, kPhosphor, kPath, kCharts, kAperture };
+
+constexpr double kFirstTimeScale = 1.0 / 500;
+constexpr float kChartShare = 0.25f;  // of the picture's height
+
+// 48 lines at 60 Hz, so coarse that one line of it can be watched.
+constexpr std::array kModes = {"640x480@60", "Modeline \"64x48\" 0.264 64 66 74 80 48 49 51 55"};
+constexpr std::array kPhosphors = {"P22", "P4", "P31", "P1"};
+
+class Retrace : public ClonableDemo<Retrace> {
+ public:
+  explicit Retrace(const DemoSetup& setup)
+      : ClonableDemo(setup,
+                     {choice_knob("raster", {"r"}, {"640 x 480", "64 x 48"}, 0,
+                                  "lines as of a VGA monitor, or few enough to watch one"),
+                      choice_knob("phosphor", {"p"},
+                                  {"P22 colour", "P4 white", "P31 green", "P1 slow green"}, 0,
+                                  "what glows, and for how long"),
+                      toggle_knob("path", "o", true, "the beam's way, blanked parts dashed"),
+                      toggle_knob("charts", "c", true, "deflection and blanking against time"),
+                      number_knob("aperture", "-", "=", 0, 12, 1, 2, "stops",
+                                  "the camera's iris: each stop halves the light")}),
+        monitor_(make_monitor()) {}
+
+  std::size_t state_bytes() const override { return monitor_.state_bytes(); }
+  Rate refresh() const override { return monitor_.refresh(); }
+
+ private:
+  Rect room() const {
+    const Rect whole = whole_picture(*this);
+    const float share = knob(kCharts).on() ? kChartShare : 0;
+    // Room round the picture shows where the beam overshoots it.
+    return Rect{0, 0, whole.width, whole.height * (1 - share)}.shrunk(whole.height * 0.025f);
+  }
+  Monitor make_monitor() const {
+    TubeSettings settings{parse_mode(kModes[static_cast<std::size_t>(knob(kRaster).index())])};
+    settings.phosphor = kPhosphors[static_cast<std::size_t>(knob(kPhosphor).index())];
+    return Monitor(settings, PixelFormat::kXrgb8888, room());
+  }
+  void resized() override { monitor_.resize(room()); }
+
+  void update(const Step& step) override {
+    const std::array now = {knob(kRaster).index(), knob(kPhosphor).index(), knob(kCharts).index()};
+    if (now == built_) return;
+    if (now[2] != built_[2]) monitor_.resize(room());
+    if (now[0] != built_[0] || now[1] != built_[1]) {
+      monitor_ = make_monitor();
+      monitor_.switch_on(step.exposure.begin);
+    }
+    built_ = now;
+  }
+
+  void draw(const Step& step, Image<Srgb8>& picture) override {
+    const SyncTiming& across = monitor_.scan().mode().horizontal;
+    const SyncTiming& down = monitor_.scan().mode().vertical;
+    if (monitor_.frame_begins(step)) {
+      monitor_.show(test_card(studio(), across.active, down.active));
+    }
+    std::fill(picture.pixels().begin(), picture.pixels().end(), Srgb8{10, 10, 12, 255});
+    monitor_.expose(step, studio().workers, picture, knob(kAperture).value);
+    const BeamChart chart{monitor_.scan(), studio(), monitor_.tube_time(step.exposure.begin),
+                          monitor_.tube_time(step.exposure.end)};
+    Canvas canvas(picture);
+    if (knob(kPath).on()) chart.draw_path(canvas, monitor_.face());
+    if (!knob(kCharts).on()) return;
+    const float top = static_cast<float>(height()) * (1 - kChartShare);
+    chart.draw_charts(canvas,
+                      {0, top, static_cast<float>(width()), static_cast<float>(height()) - top});
+  }
+
+  std::array<int, 3> built_ = {0, 0, 1};
+  Monitor monitor_;
+};
+
+std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Retrace>(setup); }
+
+}  // namespace
+
+DemoInfo retrace_demo() {
+  return {"retrace", "1 Displays and coordinates",
+          "Time slowed down until the beam is seen to draw, fly back and fly up", create,
+          kFirstTimeScale};
+}
+
+}  // namespace kinescope
