@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "display/beam_clock.h"
 #include "display/video_mode.h"
 
 namespace kinescope {
@@ -10,7 +11,9 @@ namespace kinescope {
 /// What part of a line, or of a field, is passing.
 enum class ScanPhase { kActive, kFrontPorch, kSync, kBackPorch };
 
-/// Where the beam is. Time 0 is the first pixel of line 0 of field 0.
+/// Where the beam is. Time 0 is the first pixel of line 0 of field 0. The second field of an
+/// interlaced frame begins in the middle of a line; its first picture line, line 1 of the frame,
+/// begins half a line later.
 struct BeamPosition {
   std::int64_t frame = 0;
   int field = 0;          ///< 0, or 1 in the second field of an interlaced frame
@@ -22,8 +25,9 @@ struct BeamPosition {
   ScanPhase vertical = ScanPhase::kActive;
   bool blanked = false;  ///< outside the active picture
   double x = 0;          ///< deflection: 0 left to 1 right edge of the active picture, flying back
-                         ///< during sync and back porch
-  double y = 0;  ///< deflection: 0 top to 1 bottom, flying back during vertical sync and porch
+                         ///< during sync and back porch; in the front porch it sweeps on beyond 1
+  double y = 0;  ///< deflection: 0 top to 1 bottom, flying back during vertical sync and back
+                 ///< porch; it is (line + 1/2) / active in the middle of a line's sweep
 };
 
 class RasterScan {
@@ -37,8 +41,21 @@ class RasterScan {
   /// When vertical blanking that ends the given field begins.
   Seconds retrace_start(std::int64_t frame, int field) const;
 
+  // The same in exact pixel clocks.
+  const BeamClock& clock() const { return clock_; }
+  int fields() const { return mode_.interlaced ? 2 : 1; }
+  BeamTime line_clocks() const { return clocks(mode_.horizontal.total()); }
+  BeamTime frame_clocks() const;
+  BeamTime line_start_clocks(std::int64_t frame, int line) const;
+  BeamTime retrace_start_clocks(std::int64_t frame, int field) const;
+
  private:
+  int picture_lines(int field) const;
+  void place_across(BeamPosition& beam, BeamTime in_frame) const;
+  void place_down(BeamPosition& beam) const;
+
   VideoMode mode_;
+  BeamClock clock_;
 };
 
 }  // namespace kinescope

@@ -21,9 +21,13 @@ struct TubeSettings {
   double spot_sigma_pixels = 0.4;  ///< horizontal standard deviation, in mode pixels
 };
 
-/// A tube's light. Copying one copies the phosphor's whole state (so a demo can step back).
-/// Exposures must follow each other in time without gaps; each scans the frame buffer as it then
-/// is.
+/// A tube's light. Its cells are the mode's pixels on their scan lines; a line sweeps straight and
+/// the picture fills the output image. A frame buffer smaller than the mode leaves the rest dark.
+/// Not modelled: a spot that grows with current, video bandwidth, deflection faults, mask and
+/// glass. A monochrome tube's drive is the guns' mixture 0.299 R + 0.587 G + 0.114 B; its white has
+/// the phosphor's hue, scaled so that the largest channel is 1 (channels out of gamut stay
+/// negative). Copying one copies the phosphor's whole state (so a demo can step back). Exposures
+/// must follow each other in time without gaps; each scans the frame buffer as it then is.
 class RasterTube {
  public:
   RasterTube(const TubeSettings& settings, int width, int height);

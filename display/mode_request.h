@@ -1,0 +1,20 @@
+// What a timing formula is asked for, and the limits of what it may be asked.
+#pragma once
+
+#include <string>
+
+namespace kinescope {
+
+struct ModeRequest {
+  int width = 0, height = 0;
+  double refresh_hz = 0;  ///< whole frames a second
+  bool interlaced = false;
+};
+
+/// "640x480@60", with an "i" at the end if interlaced.
+std::string request_name(const ModeRequest& request);
+
+/// @throws Error (usage) unless sides are 1 to 16384 and the rate 10 to 1000 Hz
+void check_request(const ModeRequest& request);
+
+}  // namespace kinescope

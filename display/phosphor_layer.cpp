@@ -1,0 +1,190 @@
+#include "display/phosphor_layer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "display/decay.h"
+#include "display/tube_kernels.h"
+
+namespace kinescope {
+namespace {
+
+constexpr double kDwell = 1;            // clocks
+constexpr double kLeastWeight = 1e-12;  // of white; what is less is left out
+// exp(-20.7) = 1e-9: a term that loses more in a frame needs no state beyond its last dose.
+constexpr double kFadesInAFrame = 20.7;
+constexpr double kTableEnd = 40;  // exp(-40) = 4e-18: keeps tables and products from denormals
+
+float as_float(double v) { return static_cast<float>(v); }
+
+double decayed(double t, double tau) { return t < kTableEnd * tau ? std::exp(-t / tau) : 0; }
+
+}  // namespace
+
+PhosphorLayer::PhosphorLayer(const Phosphor& phosphor, double clock_hz, double frame_clocks,
+                             int width, int height)
+    : width_(width), frame_clocks_(frame_clocks) {
+  const std::size_t cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  doses_.assign(cells, 0.0f);
+  for (const DecayTerm& source : phosphor.terms) {
+    Term term;
+    term.share = source.share;
+    term.tau = source.tau.count() * clock_hz;
+    term.after_dwell = left_after_dwell(kDwell, term.tau);
+    term.keep = std::exp(-frame_clocks / term.tau);
+    term.gain = term.share * term.after_dwell * std::exp(-(frame_clocks - kDwell) / term.tau);
+    if (frame_clocks < kFadesInAFrame * term.tau) {
+      term.plane = static_cast<int>(states_.size());
+      states_.emplace_back(cells, 0.0f);
+    }
+    fill_tables(term);
+    terms_.push_back(std::move(term));
+  }
+}
+
+void PhosphorLayer::fill_tables(Term& term) const {
+  const std::size_t n = static_cast<std::size_t>(width_);
+  term.reach = static_cast<int>(std::min<double>(width_, std::ceil(kTableEnd * term.tau) + 1));
+  term.decay.resize(n);
+  term.grown_back.resize(n);
+  term.grown.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = static_cast<double>(i);
+    term.decay[n - 1 - i] = as_float(decayed(t, term.tau));
+    term.grown[i] = as_float(one_minus_exp(t / term.tau));
+    term.grown_back[n - 1 - i] = term.grown[i];
+  }
+}
+
+void PhosphorLayer::set_window(double length) {
+  assert(length >= 0 && length <= frame_clocks_);
+  window_ = length;
+  for (Term& term : terms_) term.window_light = one_minus_exp(length / term.tau);
+}
+
+void PhosphorLayer::darken() {
+  std::fill(doses_.begin(), doses_.end(), 0.0f);
+  for (auto& plane : states_) std::fill(plane.begin(), plane.end(), 0.0f);
+}
+
+void PhosphorLayer::pass(int line, const CellRange& range, const float* new_dose,
+                         LayerScratch& scratch, float* light) {
+  int count = range.end - range.begin;
+  if (count <= 0) return;
+  // Only the last cell can be one that the window's begin or end meets in its dwell.
+  const double from_last = range.since - (count - 1);
+  const double to_last = range.excited ? range.until - (count - 1) : kDwell;
+  const bool dwells = std::min(from_last, to_last) < kDwell;
+  if (dwells) --count;
+  if (count > 0) {
+    if (range.excited) {
+      excite(line, range, count, new_dose, scratch, light);
+    } else {
+      emit(line, range, count, scratch, light);
+    }
+  }
+  if (dwells) pass_dwelling_cell(line, range, new_dose, light);
+}
+
+void PhosphorLayer::emit(int line, const CellRange& range, int count, LayerScratch& scratch,
+                         float* light) {
+  const double since_last = range.since - (count - 1);
+  float* weight = scratch.old_weight.data();
+  std::fill_n(weight, count, 0.0f);
+  bool any = false;
+  for (const Term& term : terms_) {
+    const float* decay = term.decay.data() + (width_ - count);
+    const double of_dose =
+        term.share * term.after_dwell * term.window_light * decayed(since_last - kDwell, term.tau);
+    if (of_dose > kLeastWeight * term.window_light) {
+      const int skip = std::max(0, count - term.reach);
+      add_scaled(count - skip, as_float(of_dose), decay + skip, weight + skip);
+      any = true;
+    }
+    if (term.plane >= 0) {
+      const double of_state = term.window_light * decayed(since_last, term.tau);
+      add_light(count, as_float(of_state), decay, state_row(term.plane, line) + range.begin,
+                light + range.begin);
+    }
+  }
+  if (any) add_light(count, 1.0f, weight, dose_row(line) + range.begin, light + range.begin);
+}
+
+void PhosphorLayer::excite_slow(const Term& term, int line, const CellRange& range, int count,
+                                float* light) {
+  const double before_first = frame_clocks_ - range.since;
+  const double until_last = range.until - (count - 1);
+  SlowTermStep step{};
+  step.keep = as_float(term.keep);
+  step.gain = as_float(term.gain);
+  step.old_scale = as_float(decayed(range.since - (count - 1), term.tau));
+  step.old_constant = as_float(one_minus_exp(before_first / term.tau));
+  step.old_slope = as_float(decayed(before_first, term.tau));
+  step.new_constant = as_float(one_minus_exp(until_last / term.tau));
+  step.new_slope = as_float(decayed(until_last, term.tau));
+  step.old_decay = term.decay.data() + (width_ - count);
+  step.old_grown = term.grown.data();
+  step.new_grown = term.grown_back.data() + (width_ - count);
+  excite_slow_term(count, step, dose_row(line) + range.begin,
+                   state_row(term.plane, line) + range.begin, light + range.begin);
+}
+
+void PhosphorLayer::excite(int line, const CellRange& range, int count, const float* new_dose,
+                           LayerScratch& scratch, float* light) {
+  const double since_last = range.since - (count - 1);
+  const double before_first = frame_clocks_ - range.since;
+  const double until_last = range.until - (count - 1);
+  double new_constant = 0;
+  for (const Term& term : terms_) {
+    new_constant += term.share * light_of_dose(0, until_last, kDwell, term.tau);
+  }
+  float* old_weight = scratch.old_weight.data();
+  float* new_weight = scratch.new_weight.data();
+  std::fill_n(old_weight, count, 0.0f);
+  std::fill_n(new_weight, count, as_float(new_constant));
+  for (const Term& term : terms_) {
+    if (term.plane >= 0) excite_slow(term, line, range, count, light);
+    const double old_left = term.share * term.after_dwell * decayed(since_last - kDwell, term.tau);
+    if (old_left > kLeastWeight) {
+      const int skip = std::max(0, count - term.reach);
+      add_scaled_product(
+          count - skip, as_float(old_left), term.decay.data() + (width_ - count + skip),
+          as_float(one_minus_exp(before_first / term.tau)),
+          as_float(decayed(before_first, term.tau)), term.grown.data() + skip, old_weight + skip);
+    }
+    const double new_left = term.share * left_of_dose(until_last, kDwell, term.tau);
+    if (new_left > kLeastWeight) {
+      add_scaled(count, as_float(new_left), term.grown_back.data() + (width_ - count), new_weight);
+    }
+  }
+  excite_dose(count, old_weight, new_weight, new_dose + range.begin, dose_row(line) + range.begin,
+              light + range.begin);
+}
+
+void PhosphorLayer::pass_dwelling_cell(int line, const CellRange& range, const float* new_dose,
+                                       float* light) {
+  const int cell = range.end - 1;
+  const double since = range.since - (cell - range.begin);
+  const double old_span = range.excited ? frame_clocks_ - since : window_;
+  const double until = range.until - (cell - range.begin);
+  const double dose = dose_row(line)[cell];
+  double sum = 0;
+  for (const Term& term : terms_) {
+    sum += dose * term.share * light_of_dose(since, since + old_span, kDwell, term.tau);
+    if (range.excited) {
+      sum += new_dose[cell] * term.share * light_of_dose(0, until, kDwell, term.tau);
+    }
+    if (term.plane < 0) continue;
+    float& state = state_row(term.plane, line)[cell];
+    sum += state * decayed(since, term.tau) * one_minus_exp(old_span / term.tau);
+    if (range.excited) {
+      state = as_float(term.keep * state + term.gain * dose);
+      sum += state * one_minus_exp(until / term.tau);
+    }
+  }
+  if (range.excited) dose_row(line)[cell] = new_dose[cell];
+  light[cell] += as_float(sum);
+}
+
+}  // namespace kinescope

@@ -1,0 +1,77 @@
+// One phosphor over the whole faceplate: what each cell still holds, and the light it gives in any
+// window of time, in closed form. A cell is one pixel of one scan line.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "display/phosphor.h"
+
+namespace kinescope {
+
+/// Cells [begin, end) of a line that share their history in a window [a, b). Times are in pixel
+/// clocks; the next cell is excited one clock later, so its times are each less by one.
+struct CellRange {
+  int begin = 0, end = 0;
+  double since = 0;      ///< of cell `begin`: a - the start of its last excitation, above 0
+  bool excited = false;  ///< whether the window holds the cell's next excitation, a frame later
+  double until = 0;      ///< of cell `begin`, if excited: b - the start of that one
+};
+
+/// Work space of one worker.
+struct LayerScratch {
+  std::vector<float> old_weight, new_weight, light;
+};
+
+class PhosphorLayer {
+ public:
+  /// @param frame_clocks time between a cell's excitations; a cell's dwell is one clock
+  PhosphorLayer(const Phosphor& phosphor, double clock_hz, double frame_clocks, int width,
+                int height);
+
+  /// Sets the length of the window for the calls of pass() that follow, in clocks, at most a frame.
+  void set_window(double length);
+
+  /// Light of the cells of one range in the window, added to `light` (a row, indexed by cell);
+  /// moves excited cells on to their new doses (a row likewise; 1 is white's light of one frame).
+  void pass(int line, const CellRange& range, const float* new_dose, LayerScratch& scratch,
+            float* light);
+
+  void darken();
+
+ private:
+  struct Term {
+    double share = 0, tau = 0;      // clocks
+    double after_dwell = 0;         // share of a dose left when its dwell ends
+    double window_light = 0;        // 1 - exp(-window / tau)
+    double keep = 0, gain = 0;      // a frame later: of the state, of the dose
+    int reach = 0;                  // clocks after which a decay table is 0
+    int plane = -1;                 // of states_, for a term that outlives a frame
+    std::vector<float> decay;       // exp(-(width - 1 - i) / tau)
+    std::vector<float> grown_back;  // 1 - decay
+    std::vector<float> grown;       // 1 - exp(-i / tau)
+  };
+
+  void fill_tables(Term& term) const;
+  void emit(int line, const CellRange& range, int count, LayerScratch& scratch, float* light);
+  void excite(int line, const CellRange& range, int count, const float* new_dose,
+              LayerScratch& scratch, float* light);
+  void excite_slow(const Term& term, int line, const CellRange& range, int count, float* light);
+  void pass_dwelling_cell(int line, const CellRange& range, const float* new_dose, float* light);
+  float* dose_row(int line) { return doses_.data() + offset(line); }
+  float* state_row(int plane, int line) {
+    return states_[static_cast<std::size_t>(plane)].data() + offset(line);
+  }
+  std::size_t offset(int line) const {
+    return static_cast<std::size_t>(line) * static_cast<std::size_t>(width_);
+  }
+
+  int width_;
+  double frame_clocks_;
+  double window_ = 0;
+  std::vector<Term> terms_;
+  std::vector<float> doses_;                // each cell's last dose
+  std::vector<std::vector<float>> states_;  // light to come, when that dose began, of those before
+};
+
+}  // namespace kinescope

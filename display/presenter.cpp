@@ -1,0 +1,226 @@
+#include "display/presenter.h"
+
+#include <SDL2/SDL.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "raster/base/error.h"
+
+namespace kinescope {
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+  throw Error(ErrorKind::kCannotWrite, what + ": " + SDL_GetError());
+}
+
+bool is_set(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+MouseButton button_of(Uint8 button) {
+  switch (button) {
+    case SDL_BUTTON_LEFT:
+      return MouseButton::kLeft;
+    case SDL_BUTTON_MIDDLE:
+      return MouseButton::kMiddle;
+    case SDL_BUTTON_RIGHT:
+      return MouseButton::kRight;
+    default:
+      return MouseButton::kNone;
+  }
+}
+
+/// The key as the layout prints it: "a", "[", "F11", "Escape"; with shift where that makes another
+/// character on a common layout ("?" from "/") the text event tells.
+std::string key_name(SDL_Keycode key) {
+  if (key > 32 && key < 127) return std::string(1, static_cast<char>(key));
+  return SDL_GetKeyName(key);
+}
+
+void set_modifiers(InputEvent& event) {
+  const SDL_Keymod held = SDL_GetModState();
+  event.shift = (held & KMOD_SHIFT) != 0;
+  event.control = (held & KMOD_CTRL) != 0;
+}
+
+/// Copies the part of the picture that lies in the surface, centred, as the surface packs pixels.
+void copy_centred(const Image<Srgb8>& picture, SDL_Surface& surface) {
+  const int width = std::min(picture.width(), surface.w);
+  const int height = std::min(picture.height(), surface.h);
+  const int from_x = (picture.width() - width) / 2, to_x = (surface.w - width) / 2;
+  const int from_y = (picture.height() - height) / 2, to_y = (surface.h - height) / 2;
+  const SDL_PixelFormat& format = *surface.format;
+  const int r = format.Rshift, g = format.Gshift, b = format.Bshift;
+  for (int y = 0; y < height; ++y) {
+    const Srgb8* in = picture.row(from_y + y) + from_x;
+    auto* out = reinterpret_cast<Uint32*>(static_cast<Uint8*>(surface.pixels) +
+                                          static_cast<std::ptrdiff_t>(to_y + y) * surface.pitch) +
+                to_x;
+    for (int x = 0; x < width; ++x) {
+      out[x] = static_cast<Uint32>(in[x].r) << r | static_cast<Uint32>(in[x].g) << g |
+               static_cast<Uint32>(in[x].b) << b;
+    }
+  }
+}
+
+}  // namespace
+
+struct Presenter::State {
+  SDL_Window* window = nullptr;
+  int logical_width = 1, logical_height = 1;  // mouse events count in these
+  bool cleared = false;                       // whether the border around the picture is black
+
+  ~State() {
+    if (window != nullptr) SDL_DestroyWindow(window);
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+  }
+  SDL_Surface& surface() const {
+    SDL_Surface* s = SDL_GetWindowSurface(window);
+    if (s == nullptr) fail("the window gives no surface");
+    return *s;
+  }
+  void place(InputEvent& event, int x, int y) const {
+    int width = 0, height = 0;
+    SDL_GetWindowSize(window, &width, &height);
+    SDL_Surface& s = surface();
+    event.x = width > 0 ? x * s.w / width : x;
+    event.y = height > 0 ? y * s.h / height : y;
+  }
+  void translate(const SDL_Event& in, std::vector<InputEvent>& out);
+  void translate_window(const SDL_WindowEvent& in, InputEvent event, std::vector<InputEvent>& out);
+};
+
+bool Presenter::available() {
+  const char* driver = std::getenv("SDL_VIDEODRIVER");
+  if (driver != nullptr &&
+      (std::strcmp(driver, "dummy") == 0 || std::strcmp(driver, "offscreen") == 0)) {
+    return true;
+  }
+  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+}
+
+Presenter::Presenter(const std::string& title, int width, int height) {
+  // Without this SDL draws the window's surface through OpenGL, which in software is ten times
+  // slower.
+  SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+  SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+  SDL_SetMainReady();
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
+  state_ = std::make_unique<State>();
+  state_->window = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                                    width, height, SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+  if (state_->window == nullptr) fail("no window can be opened");
+  SDL_StartTextInput();
+}
+
+Presenter::~Presenter() = default;
+
+int Presenter::width() const { return state_->surface().w; }
+int Presenter::height() const { return state_->surface().h; }
+
+Rate Presenter::refresh() const {
+  SDL_DisplayMode mode{};
+  const int display = SDL_GetWindowDisplayIndex(state_->window);
+  if (display < 0 || SDL_GetCurrentDisplayMode(display, &mode) != 0 || mode.refresh_rate <= 0) {
+    return {60, 1};
+  }
+  return {mode.refresh_rate, 1};
+}
+
+void Presenter::set_full_screen(bool on) {
+  SDL_SetWindowFullscreen(state_->window, on ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+  state_->cleared = false;
+}
+
+bool Presenter::full_screen() const {
+  return (SDL_GetWindowFlags(state_->window) & SDL_WINDOW_FULLSCREEN_DESKTOP) ==
+         SDL_WINDOW_FULLSCREEN_DESKTOP;
+}
+
+void Presenter::set_title(const std::string& title) {
+  SDL_SetWindowTitle(state_->window, title.c_str());
+}
+
+void Presenter::present(const Image<Srgb8>& picture) {
+  SDL_Surface& surface = state_->surface();
+  if (surface.format->BytesPerPixel != 4) fail("the window's pixels are not of 32 bits");
+  if (SDL_MUSTLOCK(&surface)) SDL_LockSurface(&surface);
+  const bool covers = picture.width() >= surface.w && picture.height() >= surface.h;
+  if (!covers) SDL_FillRect(&surface, nullptr, 0);
+  copy_centred(picture, surface);
+  if (SDL_MUSTLOCK(&surface)) SDL_UnlockSurface(&surface);
+  // A failure here means that the window is being resized: the next picture fits again.
+  SDL_UpdateWindowSurface(state_->window);
+}
+
+void Presenter::State::translate_window(const SDL_WindowEvent& in, InputEvent event,
+                                        std::vector<InputEvent>& out) {
+  if (in.event == SDL_WINDOWEVENT_SIZE_CHANGED) {
+    event.kind = InputKind::kResize;
+    event.x = surface().w;
+    event.y = surface().h;
+    out.push_back(event);
+  }
+}
+
+void Presenter::State::translate(const SDL_Event& in, std::vector<InputEvent>& out) {
+  InputEvent event;
+  set_modifiers(event);
+  switch (in.type) {
+    case SDL_QUIT:
+      event.kind = InputKind::kQuit;
+      break;
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+      event.kind = in.type == SDL_KEYDOWN ? InputKind::kKeyDown : InputKind::kKeyUp;
+      event.key = key_name(in.key.keysym.sym);
+      event.shift = (in.key.keysym.mod & KMOD_SHIFT) != 0;
+      event.control = (in.key.keysym.mod & KMOD_CTRL) != 0;
+      break;
+    case SDL_TEXTINPUT:
+      event.kind = InputKind::kText;
+      event.key = in.text.text;
+      break;
+    case SDL_MOUSEMOTION:
+      event.kind = InputKind::kMouseMove;
+      event.button = (in.motion.state & SDL_BUTTON_LMASK)   ? MouseButton::kLeft
+                     : (in.motion.state & SDL_BUTTON_MMASK) ? MouseButton::kMiddle
+                     : (in.motion.state & SDL_BUTTON_RMASK) ? MouseButton::kRight
+                                                            : MouseButton::kNone;
+      place(event, in.motion.x, in.motion.y);
+      break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+      event.kind = in.type == SDL_MOUSEBUTTONDOWN ? InputKind::kMouseDown : InputKind::kMouseUp;
+      event.button = button_of(in.button.button);
+      place(event, in.button.x, in.button.y);
+      break;
+    case SDL_MOUSEWHEEL:
+      event.kind = InputKind::kWheel;
+      event.wheel =
+          in.wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -in.wheel.preciseY : in.wheel.preciseY;
+      place(event, in.wheel.mouseX, in.wheel.mouseY);
+      break;
+    case SDL_WINDOWEVENT:
+      return translate_window(in.window, event, out);
+    default:
+      return;
+  }
+  out.push_back(event);
+}
+
+std::vector<InputEvent> Presenter::poll(Seconds wait) {
+  std::vector<InputEvent> events;
+  SDL_Event event;
+  const int wait_ms = static_cast<int>(std::ceil(std::clamp(wait.count(), 0.0, 3600.0) * 1000));
+  int more = wait_ms > 0 ? SDL_WaitEventTimeout(&event, wait_ms) : SDL_PollEvent(&event);
+  for (; more != 0; more = SDL_PollEvent(&event)) state_->translate(event, events);
+  return events;
+}
+
+}  // namespace kinescope
