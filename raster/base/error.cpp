@@ -8,7 +8,12 @@ std::string join(const std::string& what, const std::string& file, const std::st
   for (const std::string* part : {&file, &where}) {
     if (!part->empty()) line += *part + ": ";
   }
-  return line + what;
+  line += what;
+  // Names and texts out of files may hold anything; what reaches a terminal is one plain line.
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  return line;
 }
 
 }  // namespace

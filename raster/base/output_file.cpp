@@ -86,6 +86,12 @@ std::string resolved(const std::string& path) {
   return realpath(path.c_str(), buffer.data()) ? std::string(buffer.data()) : path;
 }
 
+[[noreturn]] void abandon(int descriptor, const std::string& temporary, const std::string& name) {
+  close(descriptor);
+  unlink(temporary.c_str());
+  throw Error(ErrorKind::kCannotWrite, "too many files are being written at once", name);
+}
+
 std::string folder_of(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? "" : path.substr(0, slash + 1);
@@ -97,6 +103,9 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   int descriptor = -1;
   struct stat info {};
   const bool exists = path != "-" && stat(path.c_str(), &info) == 0;
+  const bool no_name = path.empty() || path.back() == '/';
+  // Asked now: what only the rename would find, hours of work might have been lost to.
+  if (path != "-" && !exists && (errno != ENOENT || no_name)) fail("be written");
   if (path == "-") {
     descriptor = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
   } else if (exists && !S_ISREG(info.st_mode)) {
@@ -104,8 +113,8 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   } else if (exists && access(path.c_str(), W_OK) != 0) {
     fail("be written");
   } else {
-    path_ = resolved(path);
-    const std::string stem = folder_of(path_) + ".kinescope-" + std::to_string(getpid()) + "-";
+    target_ = resolved(path);
+    const std::string stem = folder_of(target_) + ".kinescope-" + std::to_string(getpid()) + "-";
     for (int n = 0; descriptor < 0; ++n) {
       temporary_ = stem + std::to_string(n) + ".part";
       descriptor = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -115,6 +124,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
       temporary_.clear();
     } else {
       slot_ = claim_slot(temporary_);
+      if (slot_ < 0) abandon(descriptor, temporary_, shown(path_));
       if (exists) (void)fchmod(descriptor, info.st_mode & 07777);
     }
   }
@@ -157,7 +167,7 @@ void OutputFile::commit() {
     if (!flushed || !closed) fail("be written");
   }
   if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("be renamed into place");
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail("be renamed into place");
   temporary_.clear();
   free_slot(slot_);
 }

@@ -30,7 +30,8 @@ class OutputFile {
 
  private:
   [[noreturn]] void fail(const char* doing);
-  std::string path_;
+  std::string path_;    // as the user gave it
+  std::string target_;  // where the finished file goes
   std::string temporary_;
   std::FILE* stream_ = nullptr;
   int slot_ = -1;

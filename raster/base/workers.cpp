@@ -4,11 +4,13 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #ifndef KINESCOPE_STD_THREADS
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #endif
@@ -44,10 +46,14 @@ struct Workers::Backend {
 #else
 
 struct Workers::Backend {
-  // The control outlives the arena, so N workers exist even on fewer cores.
-  explicit Backend(int count)
-      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count)),
-        arena(count) {}
+  // The control outlives the arena, so N workers exist even on fewer cores. Only then: of all
+  // controls alive the smallest holds for the whole process.
+  explicit Backend(int count) : arena(count) {
+    if (count > tbb::info::default_concurrency()) {
+      control.emplace(tbb::global_control::max_allowed_parallelism,
+                      static_cast<std::size_t>(count));
+    }
+  }
 
   template <typename Loop>
   void spawn(int count, const Loop& loop) {
@@ -57,7 +63,7 @@ struct Workers::Backend {
     });
   }
 
-  tbb::global_control control;
+  std::optional<tbb::global_control> control;
   tbb::task_arena arena;
 };
 
