@@ -29,6 +29,7 @@ std::uint16_t widen(std::uint8_t value) { return static_cast<std::uint16_t>(valu
 
 Texture::Texture(const Image<Srgb8>& picture, Filter filter_in, Wrap wrap_u_in, Wrap wrap_v_in)
     : filter(filter_in), wrap_u(wrap_u_in), wrap_v(wrap_v_in) {
+  if (picture.empty()) return;
   lay_out(picture.width(), picture.height());
   const std::array<std::uint16_t, 256> light = srgb_table();
   for (int y = 0; y < picture.height(); ++y) {
@@ -42,6 +43,7 @@ Texture::Texture(const Image<Srgb8>& picture, Filter filter_in, Wrap wrap_u_in, 
 
 Texture::Texture(const Image<Linear8>& picture, Filter filter_in, Wrap wrap_u_in, Wrap wrap_v_in)
     : filter(filter_in), wrap_u(wrap_u_in), wrap_v(wrap_v_in) {
+  if (picture.empty()) return;
   lay_out(picture.width(), picture.height());
   for (int y = 0; y < picture.height(); ++y) {
     std::transform(picture.row(y), picture.row(y) + picture.width(), mutable_row(0, y),
@@ -53,7 +55,6 @@ Texture::Texture(const Image<Linear8>& picture, Filter filter_in, Wrap wrap_u_in
 }
 
 void Texture::lay_out(int width, int height) {
-  if (width == 0 || height == 0) return;
   std::size_t texels = 0;
   while (true) {
     places_.push_back({width, height, texels});
@@ -98,7 +99,6 @@ void Texture::build_chain() {
     }
     pad(i);
   }
-  if (levels() == 0) return;
   const Level picture = view(0);
   for (int y = 0; y < picture.height() && !has_alpha_; ++y) {
     has_alpha_ = std::any_of(picture.row(y), picture.row(y) + picture.width(),
