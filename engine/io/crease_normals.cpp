@@ -59,8 +59,9 @@ class Fans {
   }
   void join(Index a, Index b) {
     // The lower number leads, so the order of joining does not show.
-    const auto [low, high] = std::minmax(fan_of(a), fan_of(b));
-    parent_[high] = low;
+    const Index first = fan_of(a);
+    const Index second = fan_of(b);
+    parent_[std::max(first, second)] = std::min(first, second);
   }
 
  private:

@@ -9,7 +9,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 #include <vector>
 
 #include "engine/io/colours.h"
@@ -51,7 +50,9 @@ class ObjMaterials : public tinyobj::MaterialReader {
     }
     try {
       const std::vector<std::uint8_t> bytes = read_file(*path);
-      std::istringstream stream(plain_text(as_text(bytes)));
+      const std::string text = plain_text(as_text(bytes));
+      ObjLines lines(text, [](std::string_view) { return false; });
+      std::istream stream(&lines);
       tinyobj::LoadMtl(indices, materials, &stream, warning, error);
     } catch (const Error& fault) {
       file_.warnings.push_back(fault.what());

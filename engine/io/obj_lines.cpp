@@ -36,7 +36,12 @@ ObjLines::int_type ObjLines::underflow() {
       line_ += next_piece();
     }
     line_.erase(0, std::min(line_.find_first_not_of(" \t"), line_.size()));
-    if (line_.empty() || line_[0] == '#' || take_(line_)) continue;
+    if (line_.empty() || line_[0] == '#') continue;
+    // One space after the first word: parsers would take further ones for a part of a name.
+    const std::string rest(arguments());
+    line_.resize(std::min(line_.find_first_of(" \t"), line_.size()));
+    if (!rest.empty()) line_ += ' ' + rest;
+    if (take_(line_)) continue;
     line_ += '\n';
     setg(line_.data(), line_.data(), line_.data() + line_.size());
     return traits_type::to_int_type(line_[0]);
