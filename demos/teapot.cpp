@@ -2,10 +2,10 @@
 #include <array>
 
 #include "demos/demo.h"
+#include "demos/easel.h"
 #include "demos/monitor.h"
 #include "demos/orbit.h"
 #include "display/video_mode.h"
-#include "engine/renderer.h"
 #include "engine/teapot.h"
 
 namespace kinescope {
@@ -45,13 +45,6 @@ std::shared_ptr<const Scene> teapot_scene(int fineness) {
   scene->ambient = glm::vec3(0.09f, 0.09f, 0.1f);
   return scene;
 }
-
-/// What the renderer needs while it draws; nothing in it outlives a step.
-struct Easel {
-  explicit Easel(Workers& workers) : renderer(workers) {}
-  Renderer renderer;
-  RenderTarget target;
-};
 
 class Teapot : public ClonableDemo<Teapot> {
  public:
@@ -109,11 +102,8 @@ class Teapot : public ClonableDemo<Teapot> {
   }
 
   void render(int width, int height) {
-    RenderTarget& target = easel_->target;
     const int samples = kSampleCounts[static_cast<std::size_t>(knob(kSamples).index())];
-    if (target.width != width || target.height != height || target.samples != samples) {
-      target = RenderTarget(width, height, samples);
-    }
+    RenderTarget& target = easel_->prepare(width, height, samples);
     target.clear = {0.013f, 0.016f, 0.024f, 1};
     Camera camera;
     orbit_.aim(camera, kCentre);
