@@ -3,9 +3,11 @@
 #include <SDL2/SDL.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 
 #include "raster/base/error.h"
 
@@ -34,11 +36,18 @@ MouseButton button_of(Uint8 button) {
   }
 }
 
-/// The key as the layout prints it: "a", "[", "F11", "Escape"; with shift where that makes another
-/// character on a common layout ("?" from "/") the text event tells.
+/// The key without shift, as the layout prints it: "a", "[", "F11", "Escape", "Space".
 std::string key_name(SDL_Keycode key) {
   if (key > 32 && key < 127) return std::string(1, static_cast<char>(key));
   return SDL_GetKeyName(key);
+}
+
+/// Whether the text names the key that made it better than the key's own name does: "?" of a
+/// shifted
+/// "/", "[" of a layout that needs a modifier for it. Letters stay small, their shift a flag.
+bool renames_key(const std::string& text) {
+  return text.size() == 1 && text[0] > 32 && text[0] < 127 &&
+         std::isalpha(static_cast<unsigned char>(text[0])) == 0;
 }
 
 void set_modifiers(InputEvent& event) {
@@ -71,8 +80,8 @@ void copy_centred(const Image<Srgb8>& picture, SDL_Surface& surface) {
 
 struct Presenter::State {
   SDL_Window* window = nullptr;
-  int logical_width = 1, logical_height = 1;  // mouse events count in these
-  bool cleared = false;                       // whether the border around the picture is black
+  SDL_Scancode last_down = SDL_SCANCODE_UNKNOWN;  // of the key whose text may follow
+  std::map<SDL_Scancode, std::string> held;       // names that keys went down with
 
   ~State() {
     if (window != nullptr) SDL_DestroyWindow(window);
@@ -91,6 +100,8 @@ struct Presenter::State {
     event.y = height > 0 ? y * s.h / height : y;
   }
   void translate(const SDL_Event& in, std::vector<InputEvent>& out);
+  void translate_key(const SDL_KeyboardEvent& in, InputEvent event, std::vector<InputEvent>& out);
+  void translate_text(const std::string& text, InputEvent event, std::vector<InputEvent>& out);
   void translate_window(const SDL_WindowEvent& in, InputEvent event, std::vector<InputEvent>& out);
 };
 
@@ -134,7 +145,6 @@ Rate Presenter::refresh() const {
 
 void Presenter::set_full_screen(bool on) {
   SDL_SetWindowFullscreen(state_->window, on ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
-  state_->cleared = false;
 }
 
 bool Presenter::full_screen() const {
@@ -168,6 +178,35 @@ void Presenter::State::translate_window(const SDL_WindowEvent& in, InputEvent ev
   }
 }
 
+void Presenter::State::translate_key(const SDL_KeyboardEvent& in, InputEvent event,
+                                     std::vector<InputEvent>& out) {
+  const SDL_Scancode code = in.keysym.scancode;
+  event.key = key_name(in.keysym.sym);
+  event.shift = (in.keysym.mod & KMOD_SHIFT) != 0;
+  event.control = (in.keysym.mod & KMOD_CTRL) != 0;
+  if (in.type == SDL_KEYDOWN) {
+    event.kind = InputKind::kKeyDown;
+    held[code] = event.key;
+    last_down = code;
+  } else {
+    event.kind = InputKind::kKeyUp;
+    if (const auto name = held.extract(code)) event.key = name.mapped();
+  }
+  out.push_back(event);
+}
+
+/// SDL tells the text right after the key that made it.
+void Presenter::State::translate_text(const std::string& text, InputEvent event,
+                                      std::vector<InputEvent>& out) {
+  if (!out.empty() && out.back().kind == InputKind::kKeyDown && renames_key(text)) {
+    out.back().key = text;
+    held[last_down] = text;
+  }
+  event.kind = InputKind::kText;
+  event.key = text;
+  out.push_back(event);
+}
+
 void Presenter::State::translate(const SDL_Event& in, std::vector<InputEvent>& out) {
   InputEvent event;
   set_modifiers(event);
@@ -177,15 +216,9 @@ void Presenter::State::translate(const SDL_Event& in, std::vector<InputEvent>& o
       break;
     case SDL_KEYDOWN:
     case SDL_KEYUP:
-      event.kind = in.type == SDL_KEYDOWN ? InputKind::kKeyDown : InputKind::kKeyUp;
-      event.key = key_name(in.key.keysym.sym);
-      event.shift = (in.key.keysym.mod & KMOD_SHIFT) != 0;
-      event.control = (in.key.keysym.mod & KMOD_CTRL) != 0;
-      break;
+      return translate_key(in.key, event, out);
     case SDL_TEXTINPUT:
-      event.kind = InputKind::kText;
-      event.key = in.text.text;
-      break;
+      return translate_text(in.text.text, event, out);
     case SDL_MOUSEMOTION:
       event.kind = InputKind::kMouseMove;
       event.button = (in.motion.state & SDL_BUTTON_LMASK)   ? MouseButton::kLeft

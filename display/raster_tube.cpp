@@ -57,10 +57,27 @@ struct TubeScratch {
   std::vector<GunDrive> drives;
 };
 
-struct RasterTube::State {
-  State(const TubeSettings& s, int width, int height);
+/// What an exposure works in; nothing of it outlives the exposure but the picture handed out, so a
+/// copy of a tube starts with none of it.
+struct TubeWork {
+  std::vector<GunDrive> drives;           // of each cell's excitation in the window
+  std::vector<std::vector<float>> light;  // a layer's light of the exposure, a cell each
+  std::vector<float> spread;              // lines spread over the output's columns, three channels
+  Image<LinearRgb> picture;
+  std::vector<TubeScratch> scratch;
 
-  void set_size(int width, int height);
+  TubeWork() = default;
+  TubeWork(const TubeWork&) : TubeWork() {}
+  TubeWork& operator=(const TubeWork&) { return *this = TubeWork(); }
+  TubeWork(TubeWork&&) = default;
+  TubeWork& operator=(TubeWork&&) = default;
+  ~TubeWork() = default;
+};
+
+struct RasterTube::State {
+  State(const TubeSettings& s, int new_width, int new_height);
+
+  void set_size(int new_width, int new_height);
   void prepare(Workers& workers);
   void read_buffer(FrameBuffer& buffer, BeamTime end, Workers& workers);
   void read_lines(const FrameBuffer& buffer, BeamTime begin, BeamTime end, Workers& workers);
@@ -72,14 +89,13 @@ struct RasterTube::State {
   int cells() const { return scan.mode().horizontal.active; }
   int lines() const { return scan.mode().vertical.active; }
   GunDrive* drive_row(int line) {
-    return drives.data() + static_cast<std::ptrdiff_t>(line) * cells();
+    return work.drives.data() + static_cast<std::ptrdiff_t>(line) * cells();
   }
   float* light_row(std::size_t layer, int line) {
-    return light[layer].data() + static_cast<std::ptrdiff_t>(line) * cells();
+    return work.light[layer].data() + static_cast<std::ptrdiff_t>(line) * cells();
   }
-  float* spread_row(int line) {
-    return spread.data() + static_cast<std::ptrdiff_t>(line) * spread_pitch;
-  }
+  std::ptrdiff_t spread_pitch() const { return 3 * width + 8; }
+  float* spread_row(int line) { return work.spread.data() + line * spread_pitch(); }
 
   TubeSettings settings;
   RasterScan scan;
@@ -88,17 +104,12 @@ struct RasterTube::State {
   bool fresh = true;  // no window of this exposure has passed yet
   std::vector<PhosphorLayer> layers;
   std::array<std::array<float, 3>, 3> colours{};
-  std::vector<GunDrive> drives;           // of each cell's excitation in the window
-  std::vector<std::vector<float>> light;  // a layer's light of the exposure, a cell each
-
   AxisWeights across, down;
-  std::ptrdiff_t spread_pitch = 0;
-  std::vector<float> spread;  // lines spread across the output's columns, three channels
-  Image<LinearRgb> picture;
-  std::vector<TubeScratch> scratch;
+  int width = 0, height = 0;  // of the output
+  TubeWork work;
 };
 
-RasterTube::State::State(const TubeSettings& s, int width, int height)
+RasterTube::State::State(const TubeSettings& s, int new_width, int new_height)
     : settings(s), scan(s.mode), curve(s.gamma) {
   const auto phosphors_used = faceplate_phosphors(s.phosphor);
   colours = layer_colours(phosphors_used);
@@ -106,25 +117,28 @@ RasterTube::State::State(const TubeSettings& s, int width, int height)
     layers.emplace_back(*phosphor, s.mode.pixel_clock_hz, to_clocks(scan.frame_clocks()), cells(),
                         lines());
   }
-  const std::size_t count = static_cast<std::size_t>(cells()) * static_cast<std::size_t>(lines());
-  drives.resize(count);
-  light.assign(layers.size(), std::vector<float>(count));
-  set_size(width, height);
+  set_size(new_width, new_height);
 }
 
-void RasterTube::State::set_size(int width, int height) {
-  assert(width > 0 && height > 0);
+void RasterTube::State::set_size(int new_width, int new_height) {
+  assert(new_width > 0 && new_height > 0);
+  width = new_width;
+  height = new_height;
   across = spot_weights(cells(), width, settings.spot_sigma_pixels, true);
   down = spot_weights(lines(), height, settings.spot_sigma_lines, false);
-  spread_pitch = 3 * width + 8;
-  spread.assign(static_cast<std::size_t>(spread_pitch) * static_cast<std::size_t>(lines()), 0.0f);
-  picture = Image<LinearRgb>(width, height);
+  work = TubeWork();
 }
 
 void RasterTube::State::prepare(Workers& workers) {
-  scratch.resize(static_cast<std::size_t>(workers.count()));
   const std::size_t n = static_cast<std::size_t>(cells());
-  for (TubeScratch& s : scratch) {
+  const std::size_t line_count = static_cast<std::size_t>(lines());
+  work.drives.resize(n * line_count);
+  work.light.resize(layers.size());
+  for (auto& plane : work.light) plane.resize(n * line_count);
+  work.spread.resize(static_cast<std::size_t>(spread_pitch()) * line_count);
+  if (work.picture.empty()) work.picture = Image<LinearRgb>(width, height);
+  work.scratch.resize(static_cast<std::size_t>(workers.count()));
+  for (TubeScratch& s : work.scratch) {
     s.layer.old_weight.resize(n);
     s.layer.new_weight.resize(n);
     s.doses.resize(n);
@@ -152,7 +166,7 @@ void RasterTube::State::read_lines(const FrameBuffer& buffer, BeamTime begin, Be
                                    Workers& workers) {
   if (begin >= end) return;
   workers.run(tasks_of(lines()), [&](int task, int worker) {
-    std::vector<GunDrive>& row = scratch[static_cast<std::size_t>(worker)].drives;
+    std::vector<GunDrive>& row = work.scratch[static_cast<std::size_t>(worker)].drives;
     const int last = std::min(lines(), (task + 1) * kLinesATask);
     for (int line = task * kLinesATask; line < last; ++line) {
       const LineRanges ranges = line_ranges(scan, begin, end, line);
@@ -200,15 +214,15 @@ void RasterTube::State::spread_line(int line, TubeScratch& s) {
   float colour[3][3];
   for (std::size_t i = 0; i < 3; ++i) std::copy(colours[i].begin(), colours[i].end(), colour[i]);
   mix_layers(cells(), {rows, layers.size()}, colour, s.mixed.data());
-  spread_across(picture.width(), across.taps, across.start.data(), across.weight.data(),
-                s.mixed.data(), spread_row(line));
+  spread_across(width, across.taps, across.start.data(), across.weight.data(), s.mixed.data(),
+                spread_row(line));
 }
 
 void RasterTube::State::pass_window(BeamTime end, bool last, Workers& workers) {
   const bool first = std::exchange(fresh, false);
   for (PhosphorLayer& layer : layers) layer.set_window(to_clocks(end - now));
   workers.run(tasks_of(lines()), [&](int task, int worker) {
-    TubeScratch& s = scratch[static_cast<std::size_t>(worker)];
+    TubeScratch& s = work.scratch[static_cast<std::size_t>(worker)];
     const int stop = std::min(lines(), (task + 1) * kLinesATask);
     for (int line = task * kLinesATask; line < stop; ++line) {
       pass_line(end, line, first, s);
@@ -219,14 +233,14 @@ void RasterTube::State::pass_window(BeamTime end, bool last, Workers& workers) {
 
 void RasterTube::State::spread_picture(Workers& workers) {
   const std::size_t taps = static_cast<std::size_t>(down.taps);
-  workers.run(tasks_of(picture.height()), [&](int task, int) {
+  workers.run(tasks_of(height), [&](int task, int) {
     std::vector<const float*> rows(taps);
-    const int stop = std::min(picture.height(), (task + 1) * kLinesATask);
+    const int stop = std::min(height, (task + 1) * kLinesATask);
     for (int y = task * kLinesATask; y < stop; ++y) {
       const std::size_t at = static_cast<std::size_t>(y);
       for (std::size_t t = 0; t < taps; ++t)
         rows[t] = spread_row(down.start[at] + static_cast<int>(t));
-      spread_down(3 * picture.width(), rows, down.weight.data() + at * taps, &picture.row(y)->r);
+      spread_down(3 * width, rows, down.weight.data() + at * taps, &work.picture.row(y)->r);
     }
   });
 }
@@ -266,7 +280,7 @@ const Image<LinearRgb>& RasterTube::expose(FrameBuffer& buffer, Seconds end, Wor
     s.now = cut;
   } while (s.now < until);
   s.spread_picture(workers);
-  return s.picture;
+  return s.work.picture;
 }
 
 }  // namespace kinescope
