@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csetjmp>
 #include <exception>
+#include <new>
 
 #include "raster/base/error.h"
 #include "raster/base/output_file.h"
@@ -99,6 +100,49 @@ void write_any(const std::string& path, const Image<Pixel>& picture) {
   file.commit();
 }
 
+struct PngSource {
+  std::span<const std::uint8_t> rest;
+  std::string message;
+};
+
+void read_bytes(png_structp png, png_bytep to, std::size_t size) {
+  PngSource& source = *static_cast<PngSource*>(png_get_io_ptr(png));
+  if (size > source.rest.size()) png_error(png, "no more data");
+  std::copy_n(source.rest.begin(), size, to);
+  source.rest = source.rest.subspan(size);
+}
+
+[[noreturn]] void keep_read_error(png_structp png, png_const_charp message) {
+  static_cast<PngSource*>(png_get_error_ptr(png))->message = message;
+  png_longjmp(png, 1);
+}
+
+/// Everything before the pixels. No object with a destructor may live in this frame.
+bool read_header(png_structp png, png_infop info) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  // A picture that gives its gamma is brought to sRGB's; one that does not is taken for sRGB.
+  png_set_alpha_mode(png, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);
+  png_read_info(png, info);
+  return true;
+}
+
+/// The pixels, as 8-bit RGBA whatever the file holds.
+bool read_rows(png_structp png, png_infop info, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_expand(png);
+  png_set_scale_16(png);
+  png_set_gray_to_rgb(png);
+  png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+  png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  if (png_get_rowbytes(png, info) != 4 * std::size_t{png_get_image_width(png, info)}) {
+    png_error(png, "an unexpected pixel format");
+  }
+  png_read_image(png, rows);
+  png_read_end(png, nullptr);
+  return true;
+}
+
 /// Every chunk up to the last must lie within the file. libpng takes memory for what a chunk claims
 /// before it looks, and this says where a file is cut off.
 void check_chunks(std::span<const std::uint8_t> bytes, const std::string& name) {
@@ -124,27 +168,33 @@ void check_chunks(std::span<const std::uint8_t> bytes, const std::string& name) 
 
 Image<Srgb8> read_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   check_chunks(bytes, name);
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
+  PngSource source{bytes, {}};
+  struct Reader {
+    explicit Reader(PngSource& from)
+        : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &from, keep_read_error,
+                                     ignore_warning)),
+          info(png ? png_create_info_struct(png) : nullptr) {}
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+    png_structp png;
+    png_infop info;
+  } reader(source);
+  if (!reader.info) throw std::bad_alloc();
   const auto fail = [&] {
-    const std::string message = header.message;
-    png_image_free(&header);
-    throw_bad_input("a damaged or cut off PNG picture (" + message + ")", name);
+    throw_bad_input("a damaged or cut off PNG picture (" + source.message + ")", name);
   };
-  if (!png_image_begin_read_from_memory(&header, bytes.data(), bytes.size())) fail();
-  try {
-    check_image_size(header.width, header.height,
-                     8 * kDeflateRatio * static_cast<std::int64_t>(bytes.size()), name);
-    // Without this, libpng takes 16-bit samples of files that do not say for linear light.
-    header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
-    header.format = PNG_FORMAT_RGBA;
-    Image<Srgb8> picture(static_cast<int>(header.width), static_cast<int>(header.height));
-    if (!png_image_finish_read(&header, nullptr, picture.row(0), 0, nullptr)) fail();
-    return picture;
-  } catch (...) {
-    png_image_free(&header);
-    throw;
-  }
+  png_set_read_fn(reader.png, &source, read_bytes);
+  if (!read_header(reader.png, reader.info)) fail();
+  const png_uint_32 width = png_get_image_width(reader.png, reader.info);
+  const png_uint_32 height = png_get_image_height(reader.png, reader.info);
+  check_image_size(width, height, 8 * kDeflateRatio * static_cast<std::int64_t>(bytes.size()),
+                   name);
+  Image<Srgb8> picture(static_cast<int>(width), static_cast<int>(height));
+  std::vector<png_bytep> rows;
+  for (int y = 0; y < picture.height(); ++y) rows.push_back(&picture.row(y)->r);
+  if (!read_rows(reader.png, reader.info, rows.data())) fail();
+  return picture;
 }
 
 void write_png(const std::string& path, const Image<Srgb8>& picture) { write_any(path, picture); }
