@@ -39,11 +39,11 @@ std::optional<ModelFormat> format_by_ending(const std::string& path) {
 }  // namespace
 
 void ModelFile::fail(const std::string& what, const std::string& where) const {
-  throw_bad_input(what, path, where);
+  throw_bad_input(printable(what), path, where);
 }
 
 void ModelFile::warn(const std::string& what, const std::string& where) const {
-  warnings.push_back(Error(ErrorKind::kBadInput, what, path, where).what());
+  warnings.push_back(Error(ErrorKind::kBadInput, printable(what), path, printable(where)).what());
 }
 
 ModelFormat detect_format(const ModelFile& file) {

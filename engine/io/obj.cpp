@@ -55,7 +55,7 @@ class ObjMaterials : public tinyobj::MaterialReader {
       std::istream stream(&lines);
       tinyobj::LoadMtl(indices, materials, &stream, warning, error);
     } catch (const Error& fault) {
-      file_.warnings.push_back(fault.what());
+      file_.warnings.push_back(printable(fault.what()));
       return false;
     }
     while (scene_.materials.size() < materials->size()) {

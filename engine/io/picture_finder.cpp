@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/io/text.h"
 #include "raster/image/codecs.h"
 
 namespace kinescope {
@@ -43,7 +44,7 @@ std::optional<Image<Srgb8>> PictureFinder::find(const std::string& name) const {
   try {
     return read_image_file(*path);
   } catch (const Error& error) {
-    file_.warnings.push_back(std::string(error.what()) + "; drawn without this texture");
+    file_.warnings.push_back(printable(error.what()) + "; drawn without this texture");
     return {};
   }
 }

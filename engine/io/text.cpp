@@ -9,13 +9,9 @@ namespace {
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-/// A word of the file as a message may show it: short, and of printing characters.
+/// A word of the file as a message shows it.
 std::string quoted(std::string_view word) {
-  std::string shown(word.substr(0, 24));
-  for (char& c : shown) {
-    if (c < ' ' || c > '~') c = '?';
-  }
-  return "\"" + shown + (word.size() > 24 ? "...\"" : "\"");
+  return "\"" + std::string(word.substr(0, 24)) + (word.size() > 24 ? "...\"" : "\"");
 }
 
 }  // namespace
@@ -55,6 +51,14 @@ std::string lower_case(std::string_view text) {
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return lower;
+}
+
+std::string printable(std::string_view text) {
+  std::string shown(text);
+  for (char& c : shown) {
+    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
+  }
+  return shown;
 }
 
 TextReader::TextReader(const ModelFile& file, std::size_t offset, char comment)

@@ -21,6 +21,9 @@ std::string_view as_text(std::span<const std::uint8_t> bytes);
 bool is_space(char c);
 std::string lower_case(std::string_view text);
 
+/// What a file says as a message may repeat it: control characters become '?'.
+std::string printable(std::string_view text);
+
 /// Takes the words of a file one after another. Lines end with \n, \r or \r\n.
 class TextReader {
  public:

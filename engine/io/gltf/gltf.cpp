@@ -68,10 +68,7 @@ bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, 
 /// The library's complaint as one short line; for its commonest, a clearer one.
 std::string first_line(const std::string& text) {
   if (text.starts_with("\"asset\"")) return "it does not say that it is glTF 2 (asset.version)";
-  std::string line = text.substr(0, std::min<std::size_t>(text.find('\n'), 200));
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
+  const std::string line = text.substr(0, std::min<std::size_t>(text.find('\n'), 200));
   return line.empty() ? "not a glTF file that can be read" : line;
 }
 
