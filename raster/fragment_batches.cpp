@@ -25,6 +25,10 @@ void FragmentShader::group_by_call(const FrameCalls& frame, const VisibleFragmen
   groups_.clear();
   order_.clear();
   if (fragments.size == 0) return;
+  if (frame.calls.size() == 1) {
+    groups_.push_back({0, 0, fragments.size, 0});
+    return;
+  }
   const std::uint32_t* const id = fragments.id.data();
   const auto [least, most] = std::minmax_element(id, id + fragments.size);
   const int least_call = frame.call_of(*least);
@@ -70,8 +74,8 @@ void FragmentShader::load(const FrameCalls& frame, const VisibleFragments& fragm
     const auto from = static_cast<std::size_t>(
         order_.empty() ? first + i : order_[static_cast<std::size_t>(first + i)]);
     const auto to = static_cast<std::size_t>(i);
-    storage_.x[to] = fragments.x[from];
-    storage_.y[to] = fragments.y[from];
+    storage_.x[to] = static_cast<std::uint16_t>(fragments.xy[from]);
+    storage_.y[to] = static_cast<std::uint16_t>(fragments.xy[from] >> 16);
     storage_.triangle[to] = fragments.id[from] - first_id;
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {

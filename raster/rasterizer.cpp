@@ -9,6 +9,7 @@
 #include "raster/binning.h"
 #include "raster/fragment_batches.h"
 #include "raster/kernels/cull.h"
+#include "raster/kernels/gather.h"
 #include "raster/kernels/small_triangles.h"
 #include "raster/kernels/spans.h"
 #include "raster/resolve.h"

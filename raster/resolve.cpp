@@ -3,76 +3,66 @@
 #include <algorithm>
 #include <variant>
 
+#include "raster/colour/encode.h"
+#include "raster/kernels/linear8.h"
+
 namespace kinescope {
 namespace {
 
-std::uint8_t to_byte(float v) {
-  return static_cast<std::uint8_t>(std::min(std::max(v, 0.0f), 1.0f) * 255.0f + 0.5f);
+void write_row(std::span<const LinearRgba> in, std::span<Srgb8> out) { encode_row(in, out); }
+void write_row(std::span<const LinearRgba> in, std::span<Linear8> out) { quantize_row(in, out); }
+void write_row(std::span<const LinearRgba> in, std::span<LinearRgba> out) {
+  std::copy(in.begin(), in.end(), out.begin());
 }
 
-struct EncodeRow {
-  const LinearRgba* row;
-  int x, y, width;
+void add(const LinearRgba& c, int weight, LinearRgba& sum) {
+  const auto w = static_cast<float>(weight);
+  sum.r += c.r * w;
+  sum.g += c.g * w;
+  sum.b += c.b * w;
+  sum.a += c.a * w;
+}
 
-  void operator()(Image<Srgb8>& to) const {
-    Srgb8* const out = to.row(y) + x;
-    for (int i = 0; i < width; ++i) out[i] = encode_srgb8(row[i]);
+/// The mean of a pixel's samples: fragments from `i` on, and the clear colour where none is.
+/// Leaves `i` at the next pixel.
+LinearRgba mean(const VisibleFragments& fragments, std::span<const LinearRgba> colours, int end,
+                int samples, const LinearRgba& clear, int& i) {
+  LinearRgba sum{0, 0, 0, 0};
+  int covered = 0;
+  const std::uint32_t xy = fragments.xy[static_cast<std::size_t>(i)];
+  for (; i < end && fragments.xy[static_cast<std::size_t>(i)] == xy; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    add(colours[at], fragments.weight[at], sum);
+    covered += fragments.weight[at];
   }
-  void operator()(Image<Linear8>& to) const {
-    Linear8* const out = to.row(y) + x;
-    for (int i = 0; i < width; ++i) {
-      out[i] = {to_byte(row[i].r), to_byte(row[i].g), to_byte(row[i].b), to_byte(row[i].a)};
+  if (covered < samples) add(clear, samples - covered, sum);
+  const float share = 1.0f / static_cast<float>(samples);
+  return {sum.r * share, sum.g * share, sum.b * share, sum.a * share};
+}
+
+/// One row of a tile in linear light: of the fragments' own colours if each pixel has one, else
+/// put together in `row`.
+std::span<const LinearRgba> row_of_pixels(const TileBuffer& tile, const VisibleFragments& fragments,
+                                          std::span<const LinearRgba> colours, std::size_t r,
+                                          const LinearRgba& clear, AlignedVector<LinearRgba>& row) {
+  const int width = tile.rect.x1 - tile.rect.x0;
+  const int first = fragments.row_first[r], end = fragments.row_first[r + 1];
+  if (tile.samples == 1 && end - first == width) {
+    return colours.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(width));
+  }
+  row.assign(static_cast<std::size_t>(width), clear);
+  for (int i = first; i < end;) {
+    const auto at = static_cast<std::size_t>(i);
+    const std::uint32_t x = (fragments.xy[at] & 0xffff) - static_cast<std::uint32_t>(tile.rect.x0);
+    if (tile.samples == 1 || fragments.weight[at] == tile.samples) {
+      row[x] = colours[at];
+      ++i;
+    } else {
+      row[x] = mean(fragments, colours, end, tile.samples, clear, i);
     }
   }
-  void operator()(Image<LinearRgba>& to) const { std::copy_n(row, width, to.row(y) + x); }
-};
-
-/// Walks the fragments in screen order.
-class FragmentCursor {
- public:
-  FragmentCursor(const VisibleFragments& fragments, std::span<const LinearRgba> colours,
-                 const LinearRgba& clear, int samples)
-      : fragments_(fragments),
-        colours_(colours),
-        clear_(clear),
-        samples_(samples),
-        share_(1.0f / static_cast<float>(samples)) {}
-
-  /// The mean over the pixel's samples; those that nothing covers show the clear colour.
-  LinearRgba pixel(int x, int y) {
-    LinearRgba sum{0, 0, 0, 0};
-    int covered = 0;
-    for (; at_ < fragments_.size && here(x, y); ++at_) {
-      const auto i = static_cast<std::size_t>(at_);
-      if (fragments_.weight[i] == samples_) return colours_[static_cast<std::size_t>(at_++)];
-      add(colours_[i], fragments_.weight[i], sum);
-      covered += fragments_.weight[i];
-    }
-    if (covered == 0) return clear_;
-    add(clear_, samples_ - covered, sum);
-    return {sum.r * share_, sum.g * share_, sum.b * share_, sum.a * share_};
-  }
-
- private:
-  bool here(int x, int y) const {
-    const auto i = static_cast<std::size_t>(at_);
-    return fragments_.x[i] == x && fragments_.y[i] == y;
-  }
-  static void add(const LinearRgba& c, int weight, LinearRgba& sum) {
-    const auto w = static_cast<float>(weight);
-    sum.r += c.r * w;
-    sum.g += c.g * w;
-    sum.b += c.b * w;
-    sum.a += c.a * w;
-  }
-
-  const VisibleFragments& fragments_;
-  std::span<const LinearRgba> colours_;
-  LinearRgba clear_;
-  int samples_;
-  float share_;
-  int at_ = 0;
-};
+  return row;
+}
 
 }  // namespace
 
@@ -80,18 +70,16 @@ void resolve_tile(const TileBuffer& tile, const VisibleFragments& fragments,
                   std::span<const LinearRgba> colours, AlignedVector<LinearRgba>& row,
                   RenderTarget& target) {
   const int width = tile.rect.x1 - tile.rect.x0;
-  row.resize(static_cast<std::size_t>(tile.stride));
-  FragmentCursor cursor(fragments, colours, target.clear, tile.samples);
-  for (int y = tile.rect.y0; y < tile.rect.y1; ++y) {
-    for (int i = 0; i < width; ++i) {
-      row[static_cast<std::size_t>(i)] = cursor.pixel(tile.rect.x0 + i, y);
+  const auto write_tile = [&](auto& image) {
+    for (int y = tile.rect.y0; y < tile.rect.y1; ++y) {
+      const auto r = static_cast<std::size_t>(y - tile.rect.y0);
+      const std::span out(image.row(y) + tile.rect.x0, static_cast<std::size_t>(width));
+      write_row(row_of_pixels(tile, fragments, colours, r, target.clear, row), out);
     }
-    std::visit(
-        [&](auto& image) {
-          EncodeRow{row.data(), tile.rect.x0, y, width}(image);
-        },
-        target.colour);
-    if (!target.keep_depth) continue;
+  };
+  std::visit(write_tile, target.colour);
+  if (!target.keep_depth) return;
+  for (int y = tile.rect.y0; y < tile.rect.y1; ++y) {
     const auto at = static_cast<std::ptrdiff_t>(y - tile.rect.y0) * tile.stride;
     std::copy_n(tile.depth.begin() + at, width, target.depth.row(y) + tile.rect.x0);
   }

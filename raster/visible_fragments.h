@@ -1,6 +1,7 @@
 // The fragments of a tile that are to be shaded: one a pixel and triangle, in screen order.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "raster/aligned_vector.h"
@@ -12,13 +13,12 @@ namespace kinescope {
 struct VisibleFragments {
   int size = 0;
   AlignedVector<std::uint32_t> id;
-  AlignedVector<std::uint16_t> x, y;   ///< pixel in the target
-  AlignedVector<std::uint8_t> weight;  ///< samples it covers in its pixel
+  AlignedVector<std::uint32_t> xy;     ///< pixel in the target: x in the low half, y in the high
+  AlignedVector<std::uint8_t> weight;  ///< samples it covers in its pixel; unset at one sample
+  /// The first fragment of each row of the tile, and one entry more.
+  std::array<int, TileGrid::kMaxTile + 1> row_first{};
 
   void reserve(int count);
 };
-
-/// Finds the visible triangles of each pixel; of one pixel, in the order of its samples.
-void gather_visible(const TileBuffer& tile, VisibleFragments& out);
 
 }  // namespace kinescope
