@@ -267,6 +267,7 @@ LlvmpipePeer::LlvmpipePeer(const Workload& workload, int width, int height, int 
   glViewport(0, 0, width, height);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
+  glFrontFace(GL_CW);  // the picture is drawn upside down
 }
 
 LlvmpipePeer::~LlvmpipePeer() { state_->context.make_current(); }
@@ -282,8 +283,10 @@ std::string LlvmpipePeer::version() const {
 double LlvmpipePeer::draw(const Camera& camera) {
   State& s = *state_;
   s.context.make_current();
-  // Ours maps depth to 0..w; OpenGL's clip space wants -w..w.
+  // Ours maps depth to 0..w; OpenGL's clip space wants -w..w. Turned upside down, its rows come from
+  // the top too, and its sample pattern and fill rule lie as ours do.
   glm::mat4 gl_from_clip(1.0f);
+  gl_from_clip[1][1] = -1;
   gl_from_clip[2][2] = 2;
   gl_from_clip[3][2] = -1;
   const glm::mat4 clip_from_world = gl_from_clip * camera.clip_from_world();
@@ -313,11 +316,8 @@ Image<Linear8> LlvmpipePeer::picture() const {
   const State& s = *state_;
   s.context.make_current();
   glBindFramebuffer(GL_READ_FRAMEBUFFER, s.resolved);
-  Image<Linear8> bottom_up(s.width, s.height), picture(s.width, s.height);
-  glReadPixels(0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, bottom_up.pixels().data());
-  for (int y = 0; y < s.height; ++y) {
-    std::copy_n(bottom_up.row(s.height - 1 - y), s.width, picture.row(y));
-  }
+  Image<Linear8> picture(s.width, s.height);
+  glReadPixels(0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.pixels().data());
   return picture;
 }
 

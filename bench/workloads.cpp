@@ -82,7 +82,7 @@ Workload make_knot(const KnotWorkload& knot) {
   material.specular = glm::vec3(0.4f);
   material.shininess = 32;
   if (knot.textured) {
-    scene.textures.emplace_back(checkerboard_linear8(1024), Filter::kTrilinear);
+    scene.textures.emplace_back(labelled_checkerboard(1024, 1024));
     material.base_texture = 0;
   }
   scene.materials.push_back(material);
