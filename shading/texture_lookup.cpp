@@ -27,21 +27,36 @@ constexpr int kLanes = static_cast<int>(hn::MaxLanes(Floats()));
 /// Where one level is read: the top left of four texels, and the weights of right and bottom.
 struct Place {
   hn::Vec<Ints> offset;  ///< from the first texel of the first level
+  hn::Vec<Ints> stride;
   Vec right, bottom;
 };
 
-/// The same for the lanes of a vector, in memory.
+/// The same for the lanes of a vector, in memory, with what the level as a whole is weighted by.
 struct PlaceArrays {
   alignas(64) std::int32_t offset[kLanes];
+  alignas(64) std::int32_t stride[kLanes];
+  alignas(64) float left[kLanes];
   alignas(64) float right[kLanes];
   alignas(64) float bottom[kLanes];
 
-  HWY_INLINE void store(const Place& place) {
+  HWY_INLINE PlaceArrays(const Place& place, Vec weight) {
+    const Floats d;
     hn::Store(place.offset, Ints(), offset);
-    hn::Store(place.right, Floats(), right);
-    hn::Store(place.bottom, Floats(), bottom);
+    hn::Store(place.stride, Ints(), stride);
+    const Vec right_part = hn::Mul(place.right, weight);
+    hn::Store(right_part, d, right);
+    hn::Store(hn::Sub(weight, right_part), d, left);
+    hn::Store(place.bottom, d, bottom);
+  }
+
+  HWY_INLINE Pair look_up(const Texel* texels, int k) const {
+    const Texel* top = texels + offset[k];
+    return weighted(top, top + stride[k], bottom[k], left[k], right[k]);
   }
 };
+
+/// Texels hold 65535 for 1.
+constexpr float kUnit = 1.0f / 65535.0f;
 
 /// A coordinate brought into [0, 1] by its wrap mode; 0 if it is not finite.
 HWY_INLINE Vec wrapped(Vec u, Wrap wrap) {
@@ -74,18 +89,26 @@ HWY_INLINE Neighbours neighbours(Vec u, int size, Wrap wrap) {
   return {first, hn::Sub(x, first)};
 }
 
+/// Whole numbers from 0 to 2^22, without the checks of a general conversion.
+HWY_INLINE hn::Vec<Ints> to_ints(Vec whole) {
+  const Vec shifter = hn::Set(Floats(), 8388608.0f);  // 2^23, whose last binary place is 1
+  return hn::Sub(hn::BitCast(Ints(), hn::Add(whole, shifter)), hn::BitCast(Ints(), shifter));
+}
+
 HWY_INLINE hn::Vec<Ints> offsets(const Texture& texture, int level, Vec x, Vec y) {
   const Ints di;
   const Texture::Level picture = texture.view(level);
   const auto base = static_cast<std::int32_t>(picture.row(0) - texture.view(0).row(0));
-  const auto row = hn::Mul(hn::ConvertTo(di, y), hn::Set(di, picture.stride()));
-  return hn::Add(hn::Add(row, hn::ConvertTo(di, x)), hn::Set(di, base));
+  const auto row = hn::Mul(to_ints(y), hn::Set(di, picture.stride()));
+  return hn::Add(hn::Add(row, to_ints(x)), hn::Set(di, base));
 }
 
 HWY_INLINE Place bilinear_place(const Texture& texture, int level, Vec u, Vec v) {
-  const Neighbours x = neighbours(u, texture.view(level).width(), texture.wrap_u);
-  const Neighbours y = neighbours(v, texture.view(level).height(), texture.wrap_v);
-  return {offsets(texture, level, x.first, y.first), x.fraction, y.fraction};
+  const Texture::Level picture = texture.view(level);
+  const Neighbours x = neighbours(u, picture.width(), texture.wrap_u);
+  const Neighbours y = neighbours(v, picture.height(), texture.wrap_v);
+  return {offsets(texture, level, x.first, y.first), hn::Set(Ints(), picture.stride()), x.fraction,
+          y.fraction};
 }
 
 HWY_INLINE Vec level_of_detail(const Texture& texture, const Batch& batch, int i) {
@@ -104,13 +127,6 @@ HWY_INLINE Vec level_of_detail(const Texture& texture, const Batch& batch, int i
   return hn::IfThenElseZero(hn::Ge(lod, hn::Zero(d)), hn::Min(lod, last));
 }
 
-HWY_INLINE Channels bilinear(const Texel* texels, int stride, const PlaceArrays& place, int lane) {
-  const Texel* top = texels + place.offset[lane];
-  const Texel* bottom = top + stride;
-  return mix(mix(channels(top), channels(bottom), place.bottom[lane]),
-             mix(channels(top + 1), channels(bottom + 1), place.bottom[lane]), place.right[lane]);
-}
-
 HWY_INLINE void nearest_vector(const Texture& texture, Vec u, Vec v, int count, LinearRgba* out) {
   const Floats d;
   const auto whole = [&](Vec x, int size) HWY_ATTR {
@@ -121,58 +137,51 @@ HWY_INLINE void nearest_vector(const Texture& texture, Vec u, Vec v, int count, 
   alignas(64) std::int32_t offset[kLanes];
   hn::Store(offsets(texture, 0, whole(u, picture.width()), whole(v, picture.height())), Ints(),
             offset);
-  for (int k = 0; k < count; ++k) write(channels(picture.row(0) + offset[k]), out + k);
+  for (int k = 0; k < count; ++k) {
+    write(scale(channels(picture.row(0) + offset[k]), kUnit), out + k);
+  }
 }
 
 HWY_INLINE void bilinear_vector(const Texture& texture, Vec u, Vec v, int count, LinearRgba* out) {
-  PlaceArrays place;
-  place.store(bilinear_place(texture, 0, u, v));
-  const Texture::Level picture = texture.view(0);
-  for (int k = 0; k < count; ++k) {
-    write(bilinear(picture.row(0), picture.stride(), place, k), out + k);
+  const PlaceArrays place(bilinear_place(texture, 0, u, v), hn::Set(Floats(), kUnit));
+  const Texel* texels = texture.view(0).row(0);
+  for (int k = 0; k < count; ++k) write(fold(place.look_up(texels, k)), out + k);
+}
+
+/// The places of lanes that lie on different levels. Neighbours seldom do.
+HWY_INLINE Place place_by_lane(const Texture& texture, Vec levels, Vec u, Vec v) {
+  const Floats d;
+  int level = static_cast<int>(hn::GetLane(levels));
+  Place place = bilinear_place(texture, level, u, v);
+  auto open = hn::Ne(levels, hn::Set(d, static_cast<float>(level)));
+  while (!hn::AllFalse(d, open)) {
+    level = static_cast<int>(hn::GetLane(hn::MinOfLanes(
+        d, hn::IfThenElse(open, levels, hn::Set(d, static_cast<float>(texture.levels()))))));
+    const auto here = hn::Eq(levels, hn::Set(d, static_cast<float>(level)));
+    const auto int_here = hn::RebindMask(Ints(), here);
+    const Place other = bilinear_place(texture, level, u, v);
+    place.offset = hn::IfThenElse(int_here, other.offset, place.offset);
+    place.stride = hn::IfThenElse(int_here, other.stride, place.stride);
+    place.right = hn::IfThenElse(here, other.right, place.right);
+    place.bottom = hn::IfThenElse(here, other.bottom, place.bottom);
+    open = hn::AndNot(here, open);
   }
+  return place;
 }
 
 HWY_INLINE void trilinear_vector(const Texture& texture, Vec u, Vec v, Vec lod, int count,
                                  LinearRgba* out) {
   const Floats d;
-  const Vec fine = hn::Floor(lod);
-  const Vec last = hn::Set(d, static_cast<float>(texture.levels() - 1));
-  const Vec coarse = hn::Min(hn::Add(fine, hn::Set(d, 1.0f)), last);
-  const int first_level = static_cast<int>(hn::GetLane(hn::MinOfLanes(d, fine)));
-  const int last_level = static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, coarse)));
-  alignas(64) std::int32_t stride[2][kLanes];
-  Place a = bilinear_place(texture, first_level, u, v);
-  Place b = a;
-  hn::Vec<Ints> stride_a = hn::Set(Ints(), texture.view(first_level).stride());
-  hn::Vec<Ints> stride_b = stride_a;
-  // Neighbouring fragments mostly lie on the same two levels.
-  for (int level = first_level + 1; level <= last_level; ++level) {
-    const Place place = bilinear_place(texture, level, u, v);
-    const auto strides = hn::Set(Ints(), texture.view(level).stride());
-    const Vec number = hn::Set(d, static_cast<float>(level));
-    const auto merge = [&](Place& into, hn::Vec<Ints>& into_stride, auto mask) HWY_ATTR {
-      const auto int_mask = hn::RebindMask(Ints(), mask);
-      into.offset = hn::IfThenElse(int_mask, place.offset, into.offset);
-      into.right = hn::IfThenElse(mask, place.right, into.right);
-      into.bottom = hn::IfThenElse(mask, place.bottom, into.bottom);
-      into_stride = hn::IfThenElse(int_mask, strides, into_stride);
-    };
-    merge(a, stride_a, hn::Eq(fine, number));
-    merge(b, stride_b, hn::Eq(coarse, number));
-  }
-  PlaceArrays fine_place, coarse_place;
-  fine_place.store(a);
-  coarse_place.store(b);
-  hn::Store(stride_a, Ints(), stride[0]);
-  hn::Store(stride_b, Ints(), stride[1]);
-  alignas(64) float between[kLanes];
-  hn::Store(hn::Sub(lod, fine), d, between);
+  const Vec fine_level = hn::Floor(lod);
+  const Vec coarse_level = hn::Min(hn::Add(fine_level, hn::Set(d, 1.0f)),
+                                   hn::Set(d, static_cast<float>(texture.levels() - 1)));
+  const Vec unit = hn::Set(d, kUnit);
+  const Vec coarse_weight = hn::Mul(hn::Sub(lod, fine_level), unit);
+  const PlaceArrays fine(place_by_lane(texture, fine_level, u, v), hn::Sub(unit, coarse_weight));
+  const PlaceArrays coarse(place_by_lane(texture, coarse_level, u, v), coarse_weight);
   const Texel* texels = texture.view(0).row(0);
   for (int k = 0; k < count; ++k) {
-    write(mix(bilinear(texels, stride[0][k], fine_place, k),
-              bilinear(texels, stride[1][k], coarse_place, k), between[k]),
-          out + k);
+    write(fold(add(fine.look_up(texels, k), coarse.look_up(texels, k))), out + k);
   }
 }
 
@@ -189,7 +198,12 @@ void look_up(const Texture& texture, const Batch& batch, int texcoord, LinearRgb
     } else if (texture.filter == Filter::kBilinear) {
       bilinear_vector(texture, u, v, count, out + i);
     } else {
-      trilinear_vector(texture, u, v, level_of_detail(texture, batch, i), count, out + i);
+      const Vec lod = level_of_detail(texture, batch, i);
+      if (hn::AllTrue(d, hn::Eq(lod, hn::Zero(d)))) {  // magnified: the same with one level less
+        bilinear_vector(texture, u, v, count, out + i);
+      } else {
+        trilinear_vector(texture, u, v, lod, count, out + i);
+      }
     }
   }
 }

@@ -39,14 +39,16 @@ HWY_INLINE V fast_log2(D d, V x) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V fast_exp2(D d, V x) {
   const hn::RebindToUnsigned<D> du;
-  const auto whole = hn::NearestInt(x);
-  const V f = hn::Sub(x, hn::ConvertTo(d, whole));
+  // Adding 1.5 2^23 rounds to a whole number and leaves it in the last binary places.
+  const V shifter = hn::Set(d, 12582912.0f);
+  const V shifted = hn::Add(x, shifter);
+  const V f = hn::Sub(x, hn::Sub(shifted, shifter));
   V p = hn::Set(d, 0.00957010201f);
   p = hn::MulAdd(p, f, hn::Set(d, 0.0559178603f));
   p = hn::MulAdd(p, f, hn::Set(d, 0.240247448f));
   p = hn::MulAdd(p, f, hn::Set(d, 0.693121815f));
   p = hn::MulAdd(p, f, hn::Set(d, 0.999999261f));
-  const auto scale = hn::BitCast(du, hn::ShiftLeft<23>(whole));
+  const auto scale = hn::ShiftLeft<23>(hn::BitCast(du, shifted));
   return hn::BitCast(d, hn::Add(hn::BitCast(du, p), scale));
 }
 

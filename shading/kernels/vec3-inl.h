@@ -51,11 +51,10 @@ HWY_INLINE Vec3 scale(const Vec3& a, const Vec& s) {
 HWY_INLINE Vec dot(const Vec3& a, const Vec3& b) {
   return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
 }
-/// 1 / |v| from |v|^2; 0 where v has no direction.
+/// 1 / |v| from |v|^2; finite where v has no direction.
 HWY_INLINE Vec inverse_length(const Vec& squared) {
   const Floats d;
-  return hn::IfThenElseZero(hn::Gt(squared, hn::Set(d, kLeastSquaredLength)),
-                            fast_rsqrt(d, squared));
+  return fast_rsqrt(d, hn::Max(squared, hn::Set(d, kLeastSquaredLength)));
 }
 HWY_INLINE Vec3 unit(const Vec3& v) { return scale(v, inverse_length(dot(v, v))); }
 

@@ -31,9 +31,12 @@ void shade_gouraud(const Batch& batch, LinearRgba* out) {
   for (int i = 0; i < batch.size; i += step) finish(i, load(body, i), load(highlight, i));
 }
 
-/// Rows turned into arrays, and lit, a block at a time.
+/// Rows turned into arrays, lit, and turned back, a block at a time. Rows are moved by four floats:
+/// (position, n.x), (n.y, n.z, u, v) and (colour, -) become (body, h.r) and (h.g, h.b, u, v).
 class VertexBlock {
  public:
+  static constexpr int kSize = 64;
+
   VertexBlock(const Surface& surface, int stride) : surface_(surface), stride_(stride) {
     for (std::size_t k = 0; k < 3; ++k) {
       points_.position[k] = in_[vertex_row::kPosition + k];
@@ -43,36 +46,42 @@ class VertexBlock {
   }
 
   void light(const float* rows, int count, float* lit_rows) {
-    const int used = surface_.vertex_colours ? vertex_row::kCountWithColour : vertex_row::kTexcoord;
-    for (int i = 0; i < kSize; ++i) {
-      const float* row = rows + std::min(i, count - 1) * stride_;
-      for (int k = 0; k < used; ++k) in_[k][i] = row[k];
-    }
-    const Floats d;
-    illuminate</*kHalfVector=*/false>(surface_, points_, count,
-                                      [&](int i, const Vec3& body, const Vec3& highlight) HWY_ATTR {
-                                        hn::Store(body.x, d, out_[0] + i);
-                                        hn::Store(body.y, d, out_[1] + i);
-                                        hn::Store(body.z, d, out_[2] + i);
-                                        hn::Store(highlight.x, d, out_[3] + i);
-                                        hn::Store(highlight.y, d, out_[4] + i);
-                                        hn::Store(highlight.z, d, out_[5] + i);
-                                      });
+    for (int quad = 0; 4 * quad < stride_; ++quad) load_quad(rows + 4 * quad, count, quad);
+    illuminate</*kHalfVector=*/false>(
+        surface_, points_, count, [&](int i, const Vec3& body, const Vec3& highlight) HWY_ATTR {
+          const Floats d;
+          const Vec u = hn::Load(d, in_[vertex_row::kTexcoord] + i);
+          const Vec v = hn::Load(d, in_[vertex_row::kTexcoord + 1] + i);
+          hn::StoreInterleaved4(body.x, body.y, body.z, highlight.x, d, first_ + 4 * i);
+          hn::StoreInterleaved4(highlight.y, highlight.z, u, v, d, second_ + 4 * i);
+        });
     for (int i = 0; i < count; ++i) {
-      float* lit = lit_rows + i * lit_row::kStride;
-      for (int k = 0; k < lit_row::kTexcoord; ++k) lit[k] = out_[k][i];
-      std::copy_n(rows + i * stride_ + vertex_row::kTexcoord, 2, lit + lit_row::kTexcoord);
+      std::copy_n(first_ + 4 * i, 4, lit_rows + i * lit_row::kStride);
+      std::copy_n(second_ + 4 * i, 4, lit_rows + i * lit_row::kStride + 4);
     }
   }
 
-  static constexpr int kSize = 64;
-
  private:
+  void load_quad(const float* rows, int count, int quad) {
+    const Floats d;
+    for (int i = 0; i < count; ++i) std::copy_n(rows + i * stride_, 4, first_ + 4 * i);
+    for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+      Vec a, b, c, e;
+      hn::LoadInterleaved4(d, first_ + 4 * i, a, b, c, e);
+      hn::Store(a, d, in_[4 * quad] + i);
+      hn::Store(b, d, in_[4 * quad + 1] + i);
+      hn::Store(c, d, in_[4 * quad + 2] + i);
+      hn::Store(e, d, in_[4 * quad + 3] + i);
+    }
+  }
+
   const Surface& surface_;
   int stride_;
   PointArrays points_;
-  alignas(64) float in_[vertex_row::kCountWithColour][kSize];
-  alignas(64) float out_[lit_row::kTexcoord][kSize];
+  // Lanes past the last vertex are computed and dropped.
+  alignas(64) float in_[vertex_row::kStrideWithColour][kSize] = {};
+  alignas(64) float first_[4 * kSize] = {};
+  alignas(64) float second_[4 * kSize] = {};
 };
 
 void light_vertices(const Surface& surface, std::span<const float> rows,
