@@ -64,14 +64,14 @@ std::string time_text(Seconds t) {
 void BeamChart::draw_span(Canvas& canvas, const Rect& face, Seconds from, Seconds to) const {
   const float scale = face.height / 720;
   const Seconds pixel = scan.mode().pixel_period();
-  const Seconds step = scan.mode().line_period() / 40.0;
+  const Seconds step = scan.mode().line_period() / 160.0;
   // Dashes are tied to the path, not to this span, so that they do not crawl.
   int dash = static_cast<int>(std::floor(from / step));
   for (Seconds t = static_cast<double>(dash) * step; t < to; t += step, ++dash) {
     const Seconds t0 = std::max(t, from), t1 = std::min(t + step, to);
     if (t1 - t0 < 0.01 * pixel) continue;
     const BeamPosition a = scan.at(t0), b = scan.at(t1 - 0.001 * pixel);
-    if (a.blanked && dash % 2 != 0) continue;
+    if (a.blanked && dash % 4 >= 2) continue;
     canvas.line(on_face(a, face), on_face(b, face), 1.2f * scale,
                 theme::with_alpha(a.blanked ? kBlanked : kActive, a.blanked ? 150 : 70));
   }

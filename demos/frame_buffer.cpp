@@ -1,6 +1,4 @@
 // Few bits a pixel and a table of colours: animation that moves no pixel, split tables, page flips.
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 
@@ -118,12 +116,14 @@ class FrameBufferDemo : public ClonableDemo<FrameBufferDemo> {
     const Rect bar =
         Rect{0, static_cast<float>(height()) - 92 * scale, static_cast<float>(width()), 40 * scale}
             .shrunk(theme::kMargin * scale);
-    const float swatch = bar.width / static_cast<float>(entries());
     canvas.fill(bar.shrunk(-4 * scale), theme::kPanel, 4 * scale);
-    for (int i = 0; i < entries(); ++i) {
-      const GunDrive c = monitor_.buffer().colour(i);
-      canvas.fill({bar.x + swatch * static_cast<float>(i), bar.y, swatch, bar.height},
-                  {c.r, c.g, c.b, 255});
+    const int left = static_cast<int>(bar.x), top = static_cast<int>(bar.y);
+    const int columns = static_cast<int>(bar.width);
+    for (int x = 0; x < columns; ++x) {
+      const GunDrive c = monitor_.buffer().colour(x * entries() / columns);
+      for (int y = top; y < static_cast<int>(bar.bottom()); ++y) {
+        picture.at(left + x, y) = {c.r, c.g, c.b, 255};
+      }
     }
   }
 

@@ -120,7 +120,9 @@ void Monitor::expose(const Step& step, Workers& workers, Image<Srgb8>& picture, 
                      const std::vector<Deed>& deeds) {
   if (!on_) switch_on(step.exposure.begin);
   const Image<LinearRgb>& light = gather(step, workers, deeds);
-  const double gain = refresh().period() / step.exposure.length() * std::exp2(-stops);
+  const double refreshes = step.exposure.length() / refresh().period();
+  const double whole = refreshes > 1 ? 1 / refreshes : std::max(1.0, 1 / (refreshes * kIris));
+  const double gain = whole * std::exp2(-stops);
   // An exposure of one period, give or take rounding, needs none.
   const float applied = std::abs(gain - 1) < 1e-6 ? 1.0f : static_cast<float>(gain);
   const int left = static_cast<int>(face_.x), top = static_cast<int>(face_.y);

@@ -16,6 +16,9 @@ namespace kinescope {
 
 class Monitor {
  public:
+  /// How much brighter than its mean the light of a pulse may be before it is clipped.
+  static constexpr double kIris = 64;
+
   /// The tube fills the largest part of `room` (pixels of the picture) that has its own shape.
   Monitor(const TubeSettings& settings, PixelFormat format, const Rect& room);
 
@@ -37,8 +40,9 @@ class Monitor {
     Seconds when;
     std::function<void()> deed;
   };
-  /// Lays the step's light into the picture's face(). Shorter exposures than a refresh are as
-  /// bright as long ones: light is divided by the exposure's length, and by 2^stops.
+  /// Lays the step's light into the picture's face(), divided by 2^stops and by the exposure's
+  /// length in refreshes, but at least by 1/kIris: what a refresh lights is as bright in a shorter
+  /// exposure as in a whole one, until the exposure is so short that most of it comes later.
   /// @param deeds in order of time; those outside the exposure are done at its ends
   void expose(const Step& step, Workers& workers, Image<Srgb8>& picture, double stops = 0,
               const std::vector<Deed>& deeds = {});

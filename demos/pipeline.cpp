@@ -8,6 +8,7 @@
 #include "demos/demo.h"
 #include "demos/orbit.h"
 #include "demos/space_view.h"
+#include "demos/spaces.h"
 #include "demos/ui/theme.h"
 #include "engine/teapot.h"
 
@@ -17,52 +18,8 @@ namespace {
 enum { kWire, kTurning, kFrustum, kAxes, kMatrices, kFieldOfView, kNear, kFar };
 
 constexpr float kDegree = std::numbers::pi_v<float> / 180;
-constexpr glm::vec3 kCentre{0, 1.2f, 0};
+constexpr glm::vec3 kCentre{0, 1.4f, 0};
 constexpr double kTurnRadPerSecond = 0.4;
-
-/// A projective image of a mesh: points divided by w, normals as the planes they stand for.
-Mesh mapped(const Mesh& mesh, const glm::mat4& m) {
-  Mesh out = mesh;
-  const glm::mat4 plane_map = glm::transpose(glm::inverse(m));
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const glm::vec3 p = mesh.positions[i], n = mesh.normals[i];
-    const glm::vec4 q = m * glm::vec4(p, 1);
-    out.positions[i] = glm::vec3(q) / std::max(q.w, 1e-3f);
-    out.normals[i] = glm::normalize(glm::vec3(plane_map * glm::vec4(n, -glm::dot(n, p))));
-  }
-  return out;
-}
-
-/// Inside the view volume as it is, outside it red.
-void colour_by_volume(Mesh& mesh, const glm::mat4& clip_from_mesh) {
-  mesh.colours.resize(mesh.positions.size());
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const glm::vec4 q = clip_from_mesh * glm::vec4(mesh.positions[i], 1);
-    const bool inside = std::abs(q.x) <= q.w && std::abs(q.y) <= q.w && q.z >= 0 && q.z <= q.w;
-    mesh.colours[i] = inside ? glm::vec3(0.82f, 0.52f, 0.2f) : glm::vec3(0.5f, 0.07f, 0.06f);
-  }
-}
-
-std::array<glm::vec3, 8> mapped_volume(const glm::mat4& space_from_clip) {
-  std::array<glm::vec3, 8> corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const glm::vec4 q =
-        space_from_clip * glm::vec4((i & 1) ? 1 : -1, (i & 2) ? 1 : -1, (i & 4) ? 1 : 0, 1);
-    corners[i] = glm::vec3(q) / q.w;
-  }
-  return corners;
-}
-
-Camera observer(glm::vec3 centre, float distance, float azimuth_rad, float elevation_rad) {
-  Orbit orbit;
-  orbit.distance = distance;
-  orbit.azimuth_rad = azimuth_rad;
-  orbit.elevation_rad = elevation_rad;
-  Camera camera;
-  orbit.aim(camera, centre);
-  camera.set_field_of_view(0.6f, 1);
-  return camera;
-}
 
 class Pipeline : public ClonableDemo<Pipeline> {
  public:
@@ -76,13 +33,13 @@ class Pipeline : public ClonableDemo<Pipeline> {
              toggle_knob("matrices", "m", true, "what leads from each space to the next"),
              number_knob("field of view", "-", "=", 20, 80, 5, 40, "degrees",
                          "the camera's opening"),
-             number_knob("near plane", "z", "x", 1, 7, 0.5, 3, "", "distance from the eye"),
-             number_knob("far plane", "c", "v", 7.5, 14, 0.5, 10, "", "distance from the eye")}),
+             number_knob("near plane", "z", "x", 1, 7, 0.5, 4, "", "distance from the eye"),
+             number_knob("far plane", "c", "v", 7.5, 14, 0.5, 11, "", "distance from the eye")}),
         easel_(std::make_shared<Easel>(setup.studio->workers)),
         local_(std::make_shared<Mesh>(teapot_mesh(8))) {
-    orbit_.distance = 6.5f;
+    orbit_.distance = 7.5f;
     orbit_.nearest = 4;
-    orbit_.farthest = 9;
+    orbit_.farthest = 10;
     orbit_.azimuth_rad = 0.5f;
     orbit_.elevation_rad = 0.3f;
   }
@@ -107,12 +64,12 @@ class Pipeline : public ClonableDemo<Pipeline> {
     const auto view = [&](float x, float y, const Camera& by) {
       return SpaceView(*easel_, studio(), picture, {x, y, w, h}, by);
     };
-    SpaceView world = view(0, 0, observer({1.0f, 0.6f, 1.6f}, 22, 1.15f, 0.42f));
+    SpaceView world = view(0, 0, observer({0.6f, 0.9f, 1.4f}, 24, 1.2f, 0.4f));
     draw_space(world, mesh, world_from_local, glm::mat4(1), 2.2f);
     world.caption("1  world space", "the object in its place, the camera looking at it");
     if (knob(kMatrices).on()) world.matrix("world from local", world_from_local);
 
-    SpaceView seen = view(w, 0, observer({0, 0, -4.5f}, 22, 0.95f, 0.4f));
+    SpaceView seen = view(w, 0, observer({0, -0.2f, -5.2f}, 24, 0.95f, 0.4f));
     draw_space(seen, mesh, camera_.view_from_world() * world_from_local, camera_.view_from_world(),
                2.2f);
     seen.caption("2  view space", "the eye at the origin, looking down the negative z axis");
@@ -141,7 +98,7 @@ class Pipeline : public ClonableDemo<Pipeline> {
     if (!knob(kFrustum).on()) return;
     const auto corners = mapped_volume(space_from_world * glm::inverse(camera_.clip_from_world()));
     pane.box(corners, 1.4f, theme::with_alpha(theme::kCool, 200));
-    pane.label(corners[3] * 1.02f, "near", theme::kCool);
+    pane.label(corners[1] * 1.02f, "near", theme::kCool);
     pane.label(corners[7] * 1.02f, "far", theme::kCool);
     if (axis < 1) return;  // after the division the eye lies at infinity
     for (const int i : {0, 1, 2, 3}) {

@@ -1,4 +1,5 @@
 // The beam's journey: along a line, back blanked, and from the last line up again.
+#include <algorithm>
 #include <array>
 
 #include "demos/beam_chart.h"
@@ -10,10 +11,12 @@
 namespace kinescope {
 namespace {
 
-enum { kRaster, kPhosphor, kPath, kCharts, kAperture };
+enum { kRaster, kPhosphor, kPath, kCharts, kGuide, kIris };
 
 constexpr double kFirstTimeScale = 1.0 / 500;
 constexpr float kChartShare = 0.25f;  // of the picture's height
+constexpr int kGuideShare = 9;        // one part in so many of the picture's codes
+constexpr Srgb8 kSurround{10, 10, 12, 255};
 
 // 48 lines at 60 Hz, so coarse that one line of it can be watched.
 constexpr std::array kModes = {"640x480@60", "Modeline \"64x48\" 0.264 64 66 74 80 48 49 51 55"};
@@ -63,13 +66,14 @@ class Retrace : public ClonableDemo<Retrace> {
   }
 
   void draw(const Step& step, Image<Srgb8>& picture) override {
-    const SyncTiming& across = monitor_.scan().mode().horizontal;
-    const SyncTiming& down = monitor_.scan().mode().vertical;
-    if (monitor_.frame_begins(step)) {
-      monitor_.show(test_card(studio(), across.active, down.active));
+    const VideoMode& mode = monitor_.scan().mode();
+    if (card_.width() != mode.horizontal.active) {
+      card_ = test_card(studio(), mode.horizontal.active, mode.vertical.active);
     }
-    std::fill(picture.pixels().begin(), picture.pixels().end(), Srgb8{10, 10, 12, 255});
-    monitor_.expose(step, studio().workers, picture, knob(kAperture).value);
+    if (monitor_.frame_begins(step)) monitor_.show(card_);
+    std::fill(picture.pixels().begin(), picture.pixels().end(), kSurround);
+    monitor_.expose(step, studio().workers, picture, knob(kIris).value);
+    if (knob(kGuide).on()) draw_guide(picture);
     const BeamChart chart{monitor_.scan(), studio(), monitor_.tube_time(step.exposure.begin),
                           monitor_.tube_time(step.exposure.end)};
     Canvas canvas(picture);
@@ -80,8 +84,26 @@ class Retrace : public ClonableDemo<Retrace> {
                       {0, top, static_cast<float>(width()), static_cast<float>(height()) - top});
   }
 
+  /// Adds a part of the card's codes to those of the light.
+  void draw_guide(Image<Srgb8>& picture) const {
+    const Rect& face = monitor_.face();
+    const int left = static_cast<int>(face.x), top = static_cast<int>(face.y);
+    const int width = static_cast<int>(face.width), height = static_cast<int>(face.height);
+    const auto add = [](std::uint8_t& light, int code) {
+      light = static_cast<std::uint8_t>(std::min(255, light + code / kGuideShare));
+    };
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const Srgb8 c = card_.at(x * card_.width() / width, y * card_.height() / height);
+        Srgb8& light = picture.at(left + x, top + y);
+        add(light.r, c.r), add(light.g, c.g), add(light.b, c.b);
+      }
+    }
+  }
+
   std::array<int, 3> built_ = {0, 0, 1};
   Monitor monitor_;
+  Image<Srgb8> card_;
 };
 
 std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Retrace>(setup); }

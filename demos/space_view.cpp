@@ -22,7 +22,6 @@ Scene scene_of(const Mesh& mesh, const Camera& observer) {
   Material material;
   material.base_colour = glm::vec3(1);
   material.specular = glm::vec3(0.25f);
-  material.double_sided = true;  // a space may be a mirror image of the one before
   scene.materials.push_back(material);
   scene.meshes.push_back(mesh);
   scene.meshes[0].material = 0;

@@ -14,7 +14,7 @@ namespace {
 enum { kShading, kSamples, kTube, kTurning, kFineness };
 
 constexpr float kFieldOfView = 0.62f;
-constexpr glm::vec3 kCentre{0.1f, 1.45f, 0.0f};
+constexpr glm::vec3 kCentre{0.0f, 1.5f, 0.0f};
 constexpr double kTurnRadPerSecond = 0.35;
 constexpr std::array kSampleCounts = {1, 4, 8};
 
@@ -29,20 +29,19 @@ std::shared_ptr<const Scene> teapot_scene(int fineness) {
   auto scene = std::make_shared<Scene>();
   Material glaze;
   glaze.name = "copper glaze";
-  glaze.base_colour = {0.72f, 0.27f, 0.11f};
-  glaze.specular = glm::vec3(0.55f, 0.5f, 0.44f);
-  glaze.shininess = 48;
-  glaze.double_sided = true;  // the pot is open at its rim
+  glaze.base_colour = {0.58f, 0.17f, 0.06f};
+  glaze.specular = glm::vec3(0.8f, 0.72f, 0.62f);
+  glaze.shininess = 56;
   scene->materials.push_back(glaze);
   scene->meshes.push_back(teapot_mesh(fineness));
   scene->meshes[0].material = 0;
   Node node;
   node.meshes = {0};
   scene->nodes.push_back(node);
-  scene->lights = {{-1, lamp({6, 8, 7}, glm::vec3(0.95f, 0.9f, 0.82f))},
-                   {-1, lamp({-7, 3, 4}, glm::vec3(0.16f, 0.22f, 0.34f))},
-                   {-1, lamp({-2, 6, -8}, glm::vec3(0.35f, 0.4f, 0.5f))}};
-  scene->ambient = glm::vec3(0.09f, 0.09f, 0.1f);
+  scene->lights = {{-1, lamp({5, 9, 6}, glm::vec3(0.9f, 0.86f, 0.78f))},
+                   {-1, lamp({-8, 2, 3}, glm::vec3(0.1f, 0.16f, 0.3f))},
+                   {-1, lamp({-3, 5, -8}, glm::vec3(0.45f, 0.5f, 0.6f))}};
+  scene->ambient = glm::vec3(0.045f, 0.05f, 0.06f);
   return scene;
 }
 
@@ -62,7 +61,7 @@ class Teapot : public ClonableDemo<Teapot> {
         monitor_({parse_mode("640x480@60")}, PixelFormat::kXrgb8888, whole_picture(*this)),
         scene_(teapot_scene(10)),
         easel_(std::make_shared<Easel>(setup.studio->workers)) {
-    orbit_.distance = 8.2f;
+    orbit_.distance = 9.6f;
     orbit_.nearest = 3.5f;
     orbit_.farthest = 30;
   }
