@@ -133,7 +133,8 @@ void add_render(CLI::App& app, Options& options) {
   app.add_option("MODEL", render.models,
                  "glTF, GLB, OBJ, PLY, STL or OFF; several stand side by side along x, scaled to "
                  "one size")
-      ->required();
+      ->required()
+      ->type_name("");
   add_picture(app, options.picture);
   add_display(app, options.picture);
   add_choice(app, "--depth", {"8", "16"}, "bits a channel of a PNG (default: 8)",
@@ -143,8 +144,8 @@ void add_render(CLI::App& app, Options& options) {
                constexpr std::array kModels{ShadingModel::kFlat, ShadingModel::kGouraud,
                                             ShadingModel::kPhong, ShadingModel::kBlinn,
                                             ShadingModel::kUnlit};
-               render.wireframe = i == kModels.size();
-               if (!render.wireframe) render.shading = kModels[i];
+               if (i == kModels.size()) render.wireframe = true;
+               if (i < kModels.size()) render.shading = kModels[i];
              });
   app.add_flag("--wireframe", render.wireframe, "edges only");
   add_choice(app, "--samples,--aa", {"1", "4", "8"}, "samples a pixel (default: 4)",
@@ -160,7 +161,7 @@ void add_render(CLI::App& app, Options& options) {
 constexpr const char* kGalleryExamples = R"(Examples:
   kinescope                            the gallery of demos, in a window
   kinescope --headless                 the first demo's picture in out/
-  kinescope render model.glb -o a.png  a model on a tube, photographed
+  kinescope render model.obj -o a.png  a model on a tube, photographed
   kinescope timing 640x480@60          a video mode, interval by interval
 Each command explains itself: kinescope render --help)";
 
@@ -192,12 +193,13 @@ Examples:
 class Grammar {
  public:
   Grammar() {
-    app_.set_version_flag("--version", "kinescope " KINESCOPE_VERSION);
+    app_.set_version_flag("--version", "kinescope " KINESCOPE_VERSION,
+                          "print the version and leave");
     app_.option_defaults()->take_last();
     app_.require_subcommand(0, 1);
     app_.footer(kGalleryExamples);
     app_.get_formatter()->column_width(34);
-    app_.set_help_flag("--help,-h", "print this and leave");
+    app_.set_help_flag("-h,--help", "print this and leave");
     add_size(app_, options.picture);
     add_common(app_, options.common);
 
@@ -206,7 +208,9 @@ class Grammar {
     add_common(list, options.common);
     CLI::App& demo =
         command("demo", "one demo, in a window or to a file", Command::kDemo, kDemoExamples);
-    demo.add_option("NAME", options.demo.name, "as kinescope list names it")->required();
+    demo.add_option("NAME", options.demo.name, "as kinescope list names it")
+        ->required()
+        ->type_name("");
     add(demo, "--script", "FILE", "inputs for the demo; - is standard input",
         [this](const std::string& text, const std::string&) { options.demo.script = text; });
     add_picture(demo, options.picture);
@@ -218,7 +222,7 @@ class Grammar {
                                "a video mode: every interval in pixels, lines and "
                                "microseconds",
                                Command::kTiming, kTimingExamples);
-    timing.add_option("MODE", options.mode, "the mode, see below")->required();
+    timing.add_option("MODE", options.mode, "the mode, see below")->required()->type_name("");
     add_common(timing, options.common);
   }
 
@@ -228,6 +232,10 @@ class Grammar {
     return chosen.empty() ? app_ : *chosen.front();
   }
   void parse(int argc, const char* const* argv) { app_.parse(argc, argv); }
+  std::string help() {
+    CLI::App& app = current();
+    return app.help(&app == &app_ ? "" : app_.get_name());
+  }
   std::string version() const { return app_.version() + "\n"; }
 
   Options options;
@@ -262,7 +270,7 @@ std::variant<Options, Answer> parse_command_line(int argc, const char* const* ar
   try {
     grammar.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return Answer{grammar.current().help()};
+    return Answer{grammar.help()};
   } catch (const CLI::CallForVersion&) {
     return Answer{grammar.version()};
   } catch (const CLI::ParseError& fault) {

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "demos/displays.h"
+#include "display/light_encode.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -142,15 +144,14 @@ void ModelFilm::shoot_tube(Film* film, int frame) {
   const Exposure exposure{begin, begin + plan_.shutter};
   expose_.start();
   const Image<LinearRgb>& light = camera_->expose(exposure);
-  const float gain = camera_->gain(exposure);
-  if (deep_) {
-    const auto picture = centre_on_black(encode_picture16(light, gain, workers_), plan_.size);
+  const auto gain = ExposureGain::average(exposure, plan_.tube.mode.frame_period());
+  const auto encode = [&](auto picture) {
+    encode_light(light, gain, workers_, picture);
+    picture = centre_on_black(std::move(picture), plan_.size);
     expose_.stop();
-    return finish(film, frame, picture);
-  }
-  const auto picture = centre_on_black(encode_picture(light, gain, workers_), plan_.size);
-  expose_.stop();
-  finish(film, frame, picture);
+    finish(film, frame, picture);
+  };
+  deep_ ? encode(Image<Srgb16>()) : encode(Image<Srgb8>());
 }
 
 void ModelFilm::write_times(JsonWriter& json) const {

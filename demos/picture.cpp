@@ -4,65 +4,18 @@
 #include <cmath>
 #include <cstring>
 #include <utility>
-#include <vector>
-
-#include "raster/colour/encode.h"
 
 namespace kinescope {
-namespace {
-
-/// Encodes row by row; `fetch` gives row y as linear light, in `buffer` where it must be made.
-template <typename To, typename From, typename Fetch>
-Image<To> encode_rows(const Image<From>& light, Workers& workers, const Fetch& fetch) {
-  Image<To> out(light.width(), light.height());
-  const auto width = static_cast<std::size_t>(light.width());
-  std::vector<std::vector<LinearRgb>> buffers(static_cast<std::size_t>(workers.count()));
-  workers.run(light.height(), [&](int y, int worker) {
-    auto& buffer = buffers[static_cast<std::size_t>(worker)];
-    buffer.resize(width);
-    const std::span<const From> row(light.row(y), width);
-    encode_row(fetch(row, std::span(buffer)), std::span<To>(out.row(y), width));
-  });
-  return out;
-}
-
-template <typename To>
-Image<To> encode_with_gain(const Image<LinearRgb>& light, float gain, Workers& workers) {
-  using Row = std::span<const LinearRgb>;
-  return encode_rows<To>(light, workers, [gain](Row row, std::span<LinearRgb> buffer) -> Row {
-    if (gain == 1) return row;
-    std::transform(row.begin(), row.end(), buffer.begin(), [gain](LinearRgb c) {
-      return LinearRgb{c.r * gain, c.g * gain, c.b * gain};
-    });
-    return buffer;
-  });
-}
-
-}  // namespace
-
-Image<Srgb8> encode_picture(const Image<LinearRgb>& light, float gain, Workers& workers) {
-  return encode_with_gain<Srgb8>(light, gain, workers);
-}
-
-Image<Srgb16> encode_picture16(const Image<LinearRgb>& light, float gain, Workers& workers) {
-  return encode_with_gain<Srgb16>(light, gain, workers);
-}
 
 Image<Srgb16> encode_picture16(const Image<LinearRgba>& light, Workers& workers) {
-  using Row = std::span<const LinearRgba>;
-  const auto opaque = [](Row row, std::span<LinearRgb> buffer) -> std::span<const LinearRgb> {
-    std::transform(row.begin(), row.end(), buffer.begin(), [](LinearRgba c) {
-      return LinearRgb{c.r, c.g, c.b};
+  Image<Srgb16> out(light.width(), light.height());
+  workers.run(light.height(), [&](int y, int) {
+    std::transform(light.row(y), light.row(y) + light.width(), out.row(y), [](LinearRgba c) {
+      Srgb16 code = encode_srgb16(LinearRgb{c.r, c.g, c.b});
+      code.a = static_cast<std::uint16_t>(std::lround(std::clamp(c.a, 0.0f, 1.0f) * 65535.0f));
+      return code;
     });
-    return buffer;
-  };
-  Image<Srgb16> out = encode_rows<Srgb16>(light, workers, opaque);
-  std::transform(
-      light.pixels().begin(), light.pixels().end(), out.pixels().begin(), out.pixels().begin(),
-      [](LinearRgba from, Srgb16 to) {
-        to.a = static_cast<std::uint16_t>(std::lround(std::clamp(from.a, 0.0f, 1.0f) * 65535.0f));
-        return to;
-      });
+  });
   return out;
 }
 

@@ -1,4 +1,4 @@
-// What every command and demo does with a finished picture: encode its light, fit it, hash it.
+// What commands and demos do with a finished picture: fit it, hash it, encode it deeply.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,7 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// Linear light to what a window, a PNG and a film take; `gain` multiplies the light first.
-Image<Srgb8> encode_picture(const Image<LinearRgb>& light, float gain, Workers& workers);
-Image<Srgb16> encode_picture16(const Image<LinearRgb>& light, float gain, Workers& workers);
+/// A bare picture of linear light in 16 bits a channel.
 Image<Srgb16> encode_picture16(const Image<LinearRgba>& light, Workers& workers);
 
 /// The largest picture of width over height `aspect` that lies within `room`; at least 1x1.

@@ -75,10 +75,6 @@ Seconds TubeCamera::snapped(Seconds t) const {
   return std::abs(refreshes - whole) < 1e-6 ? whole * period_ : t;
 }
 
-float TubeCamera::gain(const Exposure& exposure) const {
-  return static_cast<float>(std::min(1.0, period_ / snapped(exposure.length())));
-}
-
 const Image<LinearRgb>& TubeCamera::expose(Exposure exposure) {
   exposure = {snapped(exposure.begin), snapped(exposure.end)};
   const Seconds origin = static_cast<double>(settling_) * period_;

@@ -23,9 +23,6 @@ class TubeCamera {
   /// The light of the exposure, in refreshes of steady white; exposures must follow each other in
   /// time. @return valid until the next call
   const Image<LinearRgb>& expose(Exposure exposure);
-  /// What makes steady white 1 again in exposures longer than a refresh. Shorter ones keep a gain
-  /// of 1: their light comes as pulses, each as bright as in a whole refresh.
-  float gain(const Exposure& exposure) const;
 
   Rate refresh() const { return settings_.mode.frame_rate(); }
 

@@ -1,0 +1,318 @@
+// `kinescope render` and `demo` from outside: what comes out, and that it is always the same.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "raster/base/simd.h"
+#include "raster/image/codecs.h"
+#include "tests/demos/program_run.h"
+
+namespace kinescope::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A folder with model.obj in it, to render in.
+class ProgramRender : public ::testing::Test {
+ protected:
+  ProgramRender() { write_text(folder_ / "model.obj", cube_obj()); }
+  RunResult run(std::vector<std::string> more) const {
+    std::vector<std::string> arguments{"render", "model.obj"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult result = run_kinescope(arguments, {.folder = folder_.path()});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result;
+  }
+  json figures(std::vector<std::string> more) const {
+    more.push_back("--json");
+    return json::parse(run(std::move(more)).out);
+  }
+  Image<Srgb8> picture(std::vector<std::string> more) const {
+    more.insert(more.end(), {"-o", "picture.png"});
+    run(std::move(more));
+    return read_image_file(folder_ / "picture.png");
+  }
+  TemporaryFolder folder_;
+};
+
+double brightness(Srgb8 c) { return (c.r + c.g + c.b) / 3.0; }
+
+double mean_brightness(const Image<Srgb8>& picture) {
+  double sum = 0;
+  for (const Srgb8 c : picture.pixels()) sum += brightness(c);
+  return sum / static_cast<double>(picture.pixels().size());
+}
+
+TEST_F(ProgramRender, BarePictureShowsALitCubeOnBlack) {
+  const Image<Srgb8> p = picture({"--display", "none", "--size", "320x240"});
+  ASSERT_EQ(p.width(), 320);
+  ASSERT_EQ(p.height(), 240);
+  EXPECT_GT(brightness(p.at(160, 120)), 60);
+  EXPECT_LT(brightness(p.at(3, 3)), 60);
+  std::set<int> shades;  // three faces are seen, each in light of its own
+  for (const Srgb8 c : p.pixels()) shades.insert(c.g);
+  EXPECT_GE(shades.size(), 3u);
+}
+
+TEST_F(ProgramRender, BareDefaultSizeIs1280x960) {
+  const json f = figures({"--display", "none"});
+  EXPECT_EQ(f["width"], 1280);
+  EXPECT_EQ(f["height"], 960);
+}
+
+TEST_F(ProgramRender, TheTubeShowsThePictureAtItsOwnSize) {
+  const Image<Srgb8> bare = picture({"--display", "none", "--size", "640x480"});
+  const Image<Srgb8> tube = picture({});
+  ASSERT_EQ(tube.width(), 1280);
+  ASSERT_EQ(tube.height(), 960);
+  EXPECT_GT(brightness(tube.at(640, 480)), 0.5 * brightness(bare.at(320, 240)));
+  EXPECT_LT(brightness(tube.at(3, 3)), 60);
+}
+
+TEST_F(ProgramRender, TheTubeKeepsItsShapeOnBlack) {
+  const Image<Srgb8> wide = picture({"--size", "600x240", "--shading", "unlit"});
+  ASSERT_EQ(wide.width(), 600);
+  ASSERT_EQ(wide.height(), 240);
+  for (int y = 0; y < 240; ++y) {
+    ASSERT_EQ(wide.at(100, y), Srgb8{}) << y;  // 320 pixels in the middle are the tube
+    ASSERT_EQ(wide.at(499, y), Srgb8{}) << y;
+  }
+  EXPECT_GT(brightness(wide.at(300, 120)), 60);
+}
+
+TEST_F(ProgramRender, GreenPhosphorIsGreen) {
+  const Image<Srgb8> p = picture({"--display", "vga-green", "--size", "320x240"});
+  const Srgb8 c = p.at(160, 120);
+  EXPECT_GT(c.g, c.r + 30);
+  EXPECT_GT(c.g, c.b + 10);
+}
+
+TEST_F(ProgramRender, AShortShutterCatchesABand) {
+  const Image<Srgb8> band =
+      picture({"--shading", "unlit", "--shutter", "1/1000", "--size", "320x240"});
+  const Image<Srgb8> whole = picture({"--shading", "unlit", "--size", "320x240"});
+  EXPECT_LT(mean_brightness(band), 0.5 * mean_brightness(whole));
+}
+
+TEST_F(ProgramRender, EveryShadingModelLooksDifferent) {
+  std::set<std::string> hashes;
+  const std::vector<std::string> models{"flat", "gouraud", "phong", "blinn", "unlit", "wireframe"};
+  // A sphere of sorts: rounded by its shared normals, shiny.
+  write_text(folder_ / "model.obj", "mtllib m.mtl\nusemtl m\n" + cube_obj());
+  write_text(folder_ / "m.mtl", "newmtl m\nKd .5 .4 .3\nKs 1 1 1\nNs 8\n");
+  std::string obj = read_text(folder_ / "model.obj");
+  for (const char* n :
+       {"-1 -1 -1", "1 -1 -1", "1 1 -1", "-1 1 -1", "-1 -1 1", "1 -1 1", "1 1 1", "-1 1 1"}) {
+    obj += std::string("vn ") + n + "\n";
+  }
+  std::string smooth;
+  std::istringstream lines(obj);
+  std::string faces;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("f ")) {
+      smooth += line + "\n";
+      continue;
+    }
+    std::istringstream words(line.substr(2));
+    faces += "f";
+    for (std::string i; words >> i;) faces += " " + i + "//" + i;
+    faces += "\n";
+  }
+  write_text(folder_ / "model.obj", smooth + faces);
+  for (const std::string& model : models) {
+    hashes.insert(
+        figures({"--display", "none", "--size", "200x150", "--shading", model})["colour_hash"]
+            .get<std::string>());
+  }
+  EXPECT_EQ(hashes.size(), models.size());
+}
+
+TEST_F(ProgramRender, JsonHoldsTheFigures) {
+  const json f = figures(
+      {"--display", "none", "--size", "64x48", "--aa", "8", "--threads", "3", "-o", "a.png"});
+  EXPECT_EQ(f["triangles"], 12);
+  EXPECT_EQ(f["drawn"], 6);  // of a convex body's faces half are seen
+  EXPECT_GT(f["fragments"].get<int>(), 100);
+  EXPECT_EQ(f["samples"], 8);
+  EXPECT_EQ(f["threads"], 3);
+  EXPECT_EQ(f["simd"], simd_target());
+  for (const char* figure : {"min", "median", "max"}) {
+    EXPECT_GT(f["frame_ms"][figure].get<double>(), 0) << figure;
+  }
+  EXPECT_TRUE(f["stages_ms"].is_object());
+  EXPECT_EQ(f["visibility_hash"].get<std::string>().size(), 16u);
+  EXPECT_EQ(f["colour_hash"].get<std::string>().size(), 16u);
+  EXPECT_EQ(f["frames"].size(), 1u);
+  EXPECT_GT(f["peak_memory_mib"].get<double>(), 1);
+  EXPECT_GT(f["ms"].get<double>(), 0);
+  EXPECT_TRUE(f["warnings"].empty());
+}
+
+TEST_F(ProgramRender, SamePictureForAnyThreadsAndRun) {
+  for (const char* display : {"none", "vga-colour"}) {
+    std::set<std::string> seen;
+    for (const char* threads : {"1", "2", "8", "8"}) {
+      const json f = figures({"--display", display, "--size", "320x240", "--threads", threads});
+      seen.insert(f["frames"].dump());
+      EXPECT_EQ(f["threads"], std::stoi(threads));
+    }
+    EXPECT_EQ(seen.size(), 1u) << display;
+  }
+}
+
+TEST_F(ProgramRender, SameVisibilityOnEveryInstructionSet) {
+  std::set<std::string> seen;
+  for (const std::string& target : simd_targets()) {
+    const json f = figures({"--display", "none", "--size", "320x240", "--simd", target});
+    EXPECT_EQ(f["simd"], target);
+    seen.insert(f["visibility_hash"].get<std::string>());
+  }
+  EXPECT_EQ(seen.size(), 1u);
+}
+
+TEST_F(ProgramRender, OnePixelIsAPicture) {
+  for (const char* display : {"none", "vga-colour"}) {
+    const Image<Srgb8> p = picture({"--display", display, "--size", "1x1"});
+    EXPECT_EQ(p.width(), 1);
+    EXPECT_EQ(p.height(), 1);
+  }
+}
+
+TEST_F(ProgramRender, SixteenBitPng) {
+  for (const char* display : {"none", "vga-colour"}) {
+    picture({"--display", display, "--size", "64x48", "--depth", "16"});
+    const std::string file = read_text(folder_ / "picture.png");
+    EXPECT_EQ(file[24], 16) << display;  // bit depth in the IHDR chunk
+  }
+}
+
+TEST_F(ProgramRender, FilmOfNumberedPictures) {
+  run({"--display", "none", "--size", "32x24", "--frames", "8-10", "-o", "f_###.png"});
+  EXPECT_THAT(folder_.files(), ElementsAre("f_008.png", "f_009.png", "f_010.png", "model.obj"));
+}
+
+TEST_F(ProgramRender, RangeOfABareFilmIsPartOfTheWhole) {
+  const std::vector<std::string> common{"--display", "none", "--size", "64x48", "--frames"};
+  auto whole = common, part = common;
+  whole.push_back("6");
+  part.push_back("4-5");
+  const json all = figures(whole)["frames"], some = figures(part)["frames"];
+  ASSERT_EQ(all.size(), 6u);
+  ASSERT_EQ(some.size(), 2u);
+  EXPECT_EQ(all[4], some[0]);
+  EXPECT_EQ(all[5], some[1]);
+  EXPECT_NE(all[4]["colour_hash"], all[5]["colour_hash"]);
+}
+
+TEST_F(ProgramRender, TurntableIsOneTurn) {
+  const std::vector<std::string> still{"--display", "none", "--size", "64x48"};
+  auto turn = still;
+  turn.insert(turn.end(), {"--turntable", "--frames", "3"});
+  const json frames = figures(turn)["frames"];
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_EQ(frames[0]["colour_hash"], figures(still)["colour_hash"]);
+  EXPECT_NE(frames[0]["colour_hash"], frames[1]["colour_hash"]);
+  EXPECT_NE(frames[1]["colour_hash"], frames[2]["colour_hash"]);
+}
+
+TEST_F(ProgramRender, AnyFilmTurnsOnceInSixSeconds) {
+  run({"--display", "none", "--size", "64x48", "--fps", "1", "--frames", "7", "-o", "f#.png"});
+  const auto difference = [&](const char* a, const char* b) {
+    const auto x = read_image_file(folder_ / a), y = read_image_file(folder_ / b);
+    double sum = 0;
+    for (std::size_t i = 0; i < x.pixels().size(); ++i) {
+      sum += std::abs(brightness(x.pixels()[i]) - brightness(y.pixels()[i]));
+    }
+    return sum / static_cast<double>(x.pixels().size());
+  };
+  EXPECT_LT(difference("f0.png", "f6.png"), 0.1);
+  EXPECT_GT(difference("f0.png", "f1.png"), 1);
+}
+
+TEST_F(ProgramRender, FilmOnTheTubeHasItsRefreshRate) {
+  const RunResult film = run({"--size", "64x48", "--frames", "2", "-o", "-"});
+  EXPECT_THAT(film.out, StartsWith("YUV4MPEG2 W64 H48 F5035:84 ")) << film.out.substr(0, 60);
+}
+
+TEST_F(ProgramRender, FfprobeReadsTheFilm) {
+  if (run_shell("command -v ffprobe").exit_code != 0) GTEST_SKIP() << "ffprobe is not installed";
+  const RunResult probe = run_shell(
+      "kinescope render model.obj --size 64x48 --frames 3 --fps 30 --display none -o - | ffprobe "
+      "-v error -count_frames -show_entries "
+      "stream=codec_name,width,height,r_frame_rate,nb_read_frames -of csv=p=0 -",
+      {.folder = folder_.path()});
+  EXPECT_EQ(probe.exit_code, 0) << probe.err;
+  EXPECT_EQ(probe.out, "wrapped_avframe,64,48,30/1,3\n");
+}
+
+TEST_F(ProgramRender, RawIsThreeBytesAPixel) {
+  const RunResult raw =
+      run({"--display", "none", "--size", "20x10", "--frames", "2", "--format", "raw", "-o", "-"});
+  EXPECT_EQ(raw.out.size(), 20u * 10 * 3 * 2);
+}
+
+TEST_F(ProgramRender, SeveralModelsStandSideBySide) {
+  write_text(
+      folder_ / "tall.off",
+      "OFF\n4 4 0\n0 0 0\n100 0 0\n50 0 90\n50 300 30\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n");
+  const RunResult run = run_kinescope({"render", "model.obj", "tall.off", "model.obj", "--json",
+                                       "--display", "none", "--size", "300x200", "-o", "a.png"},
+                                      {.folder = folder_.path()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out)["triangles"], 12 + 4 + 12);
+}
+
+TEST_F(ProgramRender, WithoutADisplayOrANamePicturesGoToOut) {
+  const RunResult result = run({"--size", "64x48"});
+  EXPECT_THAT(result.err, HasSubstr("out/model.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/model.png"));
+}
+
+TEST_F(ProgramRender, GreatestPictureWithinBoundedMemory) {
+  const RunResult result = run_kinescope({"render", "model.obj", "--display", "none", "--size",
+                                          "16384x16384", "--aa", "1", "--json", "--headless"},
+                                         {.folder = folder_.path()});
+  if (result.exit_code == 0) {
+    EXPECT_LT(json::parse(result.out)["peak_memory_mib"].get<double>(), 4096);
+  } else {
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("16384x16384"));
+  }
+}
+
+TEST(ProgramDemo, AloneWithoutADisplayWritesTheTeapot) {
+  TemporaryFolder folder;
+  const RunResult run = run_kinescope({}, {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("out/teapot.png"));
+  const Image<Srgb8> p = read_image_file(folder / "out/teapot.png");
+  EXPECT_EQ(p.width(), 1280);
+  EXPECT_GT(mean_brightness(p), 5);
+}
+
+TEST(ProgramDemo, FramesFollowTheSeedAndTheScriptAndNothingElse) {
+  TemporaryFolder folder;
+  write_text(folder / "script.txt", "2 drag 100 100 160 110 4\n");
+  const std::vector<std::string> common{"demo", "teapot", "--size", "320x240", "--frames",
+                                        "0-7",  "--json", "-o",     "film.y4m"};
+  auto scripted = common, one = common;
+  one.insert(one.end(), {"--threads", "1"});
+  scripted.insert(scripted.end(), {"--script", "script.txt"});
+  const auto hashes = [&](const std::vector<std::string>& arguments) {
+    const RunResult run = run_kinescope(arguments, {.folder = folder.path()});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return json::parse(run.out)["picture_hashes"];
+  };
+  const json plain = hashes(common);
+  EXPECT_EQ(plain.size(), 8u);
+  EXPECT_EQ(plain, hashes(one));
+  EXPECT_NE(plain, hashes(scripted));
+}
+
+}  // namespace
+}  // namespace kinescope::test
