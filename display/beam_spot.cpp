@@ -67,14 +67,21 @@ AxisWeights spot_weights(int cells, int pixels, double sigma, bool swept) {
       of_cell[static_cast<std::size_t>(first + t)] += weight * pitch;
     }
   }
-  axis.weight.reserve(exact.size());
+  // What a cell near the edge loses over it is put back; the cells between keep their weights,
+  // whose sums over a pixel are even, but for what the radius cuts off.
+  const double edge = profile.radius() + 0.5 * pitch;
+  double kept = 0;
   for (std::size_t i = 0; i < exact.size(); ++i) {
     const std::size_t p = i / static_cast<std::size_t>(axis.taps);
     const std::size_t cell =
         static_cast<std::size_t>(axis.start[p]) + i % static_cast<std::size_t>(axis.taps);
-    const double kept = of_cell[cell] > 0 ? exact[i] / of_cell[cell] : 0;
-    axis.weight.push_back(static_cast<float>(kept));
+    const double x = static_cast<double>(cell);
+    if (of_cell[cell] > 0 && std::min(x, cells - 1 - x) < edge) exact[i] /= of_cell[cell];
+    kept += exact[i] * pitch;
   }
+  axis.weight.reserve(exact.size());
+  for (const double weight : exact)
+    axis.weight.push_back(static_cast<float>(weight * cells / kept));
   return axis;
 }
 

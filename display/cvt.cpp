@@ -13,7 +13,8 @@ namespace {
 constexpr int kCell_px = 8;
 constexpr double kClockStep_hz = 250e3;
 constexpr int kFrontPorch_lines = 3;
-constexpr int kMinBackPorch_lines = 6;
+constexpr int kMinBackPorch_lines = 3;  // cvt's; the standard has 6
+constexpr int kMinReducedBackPorch_lines = 6;
 
 /// What the formula settles per field; the clock before it is cut to a step.
 struct FieldTiming {
@@ -60,8 +61,7 @@ FieldTiming normal_blanking(SyncTiming& h, int field_lines, int sync, double hal
   return field;
 }
 
-FieldTiming reduced_blanking(SyncTiming& h, int field_lines, int sync, double half_line,
-                             double field_rate_hz) {
+FieldTiming reduced_blanking(SyncTiming& h, int field_lines, int sync, double field_rate_hz) {
   constexpr double kMinBlank_us = 460;
   h.front_porch = 48;
   h.sync = 32;
@@ -69,9 +69,9 @@ FieldTiming reduced_blanking(SyncTiming& h, int field_lines, int sync, double ha
   const double line_us = (1e6 / field_rate_hz - kMinBlank_us) / field_lines;
   if (!(line_us > 0)) return {};
   const int blank_lines = std::max(static_cast<int>(kMinBlank_us / line_us) + 1,
-                                   kFrontPorch_lines + sync + kMinBackPorch_lines);
-  return {blank_lines - kFrontPorch_lines,
-          h.total() * (field_lines + half_line + blank_lines) * field_rate_hz};
+                                   kFrontPorch_lines + sync + kMinReducedBackPorch_lines);
+  // As cvt has it, from the line's period before whole lines of blanking were settled.
+  return {blank_lines - kFrontPorch_lines, h.total() / line_us * 1e6};
 }
 
 }  // namespace
@@ -87,10 +87,13 @@ VideoMode cvt_mode(int width, int height, double refresh_hz, bool reduced, bool 
   mode.name = (reduced ? "cvtrb:" : "cvt:") + request_name(request);
   mode.interlaced = interlaced;
   mode.horizontal.active = (width + kCell_px - 1) / kCell_px * kCell_px;
-  const FieldTiming field = field_lines < 1 ? FieldTiming{}
-                                            : (reduced ? reduced_blanking : normal_blanking)(
-                                                  mode.horizontal, field_lines, sync,
-                                                  interlaced ? 0.5 : 0, refresh_hz * fields);
+  FieldTiming field;
+  if (field_lines > 0 && reduced) {
+    field = reduced_blanking(mode.horizontal, field_lines, sync, refresh_hz * fields);
+  } else if (field_lines > 0) {
+    field = normal_blanking(mode.horizontal, field_lines, sync, interlaced ? 0.5 : 0,
+                            refresh_hz * fields);
+  }
   if (!(field.clock_hz > 0)) {
     throw Error(ErrorKind::kUsage,
                 "CVT leaves no time for the picture of " + request_name(request));

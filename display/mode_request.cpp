@@ -7,7 +7,8 @@
 namespace kinescope {
 
 std::string request_name(const ModeRequest& r) {
-  return fmt::format("{}x{}@{:g}{}", r.width, r.height, r.refresh_hz, r.interlaced ? "i" : "");
+  return fmt::format("{}x{}@{:g}{}", r.width, r.height, r.refresh_hz * (r.interlaced ? 2 : 1),
+                     r.interlaced ? "i" : "");
 }
 
 void check_request(const ModeRequest& r) {
@@ -19,7 +20,8 @@ void check_request(const ModeRequest& r) {
   if (!(r.refresh_hz >= 10 && r.refresh_hz <= 1000)) {
     throw Error(
         ErrorKind::kUsage,
-        fmt::format("no monitor has the mode \"{}\": the rate is 10 to 1000 Hz", request_name(r)));
+        fmt::format("no monitor has the mode \"{}\": the rate is 10 to 1000 frames a second",
+                    request_name(r)));
   }
 }
 

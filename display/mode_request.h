@@ -11,10 +11,10 @@ struct ModeRequest {
   bool interlaced = false;
 };
 
-/// "640x480@60", with an "i" at the end if interlaced.
+/// "640x480@60"; if interlaced, the rate of fields and an "i": "1024x768@87i".
 std::string request_name(const ModeRequest& request);
 
-/// @throws Error (usage) unless sides are 1 to 16384 and the rate 10 to 1000 Hz
+/// @throws Error (usage) unless sides are 1 to 16384 and frames a second 10 to 1000
 void check_request(const ModeRequest& request);
 
 }  // namespace kinescope

@@ -64,7 +64,7 @@ bool take(std::string_view& text, std::string_view expected) {
   return true;
 }
 
-/// "WxH@HZ", or "WxH@HZi" for interlaced.
+/// "WxH@HZ", or "WxH@HZi" for interlaced, whose rate is of fields, as it is commonly written.
 ModeRequest parse_request(std::string_view whole, std::string_view text) {
   const auto width = take_number<long long>(text);
   const bool by = width && take(text, "x");
@@ -80,7 +80,8 @@ ModeRequest parse_request(std::string_view whole, std::string_view text) {
   for (const long long side : {*width, *height}) {
     if (side < 1 || side > 16384) refuse_text(whole, "sides are 1 to 16384 pixels");
   }
-  const ModeRequest request{static_cast<int>(*width), static_cast<int>(*height), *rate, interlaced};
+  const ModeRequest request{static_cast<int>(*width), static_cast<int>(*height),
+                            interlaced ? *rate / 2 : *rate, interlaced};
   check_request(request);
   return request;
 }
@@ -137,8 +138,7 @@ const VideoMode* find_by_rate(const ModeRequest& request) {
   for (const VideoMode& mode : standard_modes()) {
     if (mode.horizontal.active == request.width && mode.vertical.active == request.height &&
         mode.interlaced == request.interlaced &&
-        std::abs(mode.frame_rate().hertz() * (mode.interlaced ? 2 : 1) - request.refresh_hz) <
-            0.05) {
+        std::abs(mode.frame_rate().hertz() - request.refresh_hz) < 0.05) {
       return &mode;
     }
   }

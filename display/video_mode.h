@@ -42,14 +42,19 @@ struct VideoMode {
 /// The table of display/data/modes.txt.
 std::span<const VideoMode> standard_modes();
 
+// Timing formulas. `refresh_hz` counts whole frames, of two fields if interlaced. They throw Error
+// (usage) for what check() refuses.
+
 /// VESA GTF 1.1 with its default parameters (C 40, J 20, K 128, M 600).
 VideoMode gtf_mode(int width, int height, double refresh_hz, bool interlaced = false);
-/// VESA CVT 1.2: normal or reduced blanking (version 1).
+/// VESA CVT 1.1: normal or reduced blanking (version 1). Widths are rounded up to 8 pixels, as
+/// Debian's cvt does.
 VideoMode cvt_mode(int width, int height, double refresh_hz, bool reduced_blanking = false,
                    bool interlaced = false);
 
 /// A mode from what a user types: a name of the table ("640x480@60"), "gtf:WxH@HZ", "cvt:WxH@HZ",
-/// "cvtrb:WxH@HZ", a Modeline, or WxH@HZ of no table entry (CVT then).
+/// "cvtrb:WxH@HZ", a Modeline, or WxH@HZ (the table's entry of that rate within 0.05 Hz, or CVT);
+/// an "i" after HZ makes it interlaced, with HZ fields a second.
 /// @throws Error (usage) naming what is wrong
 VideoMode parse_mode(std::string_view text);
 
