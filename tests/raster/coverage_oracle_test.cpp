@@ -1,0 +1,240 @@
+// Coverage against a definition written another way: which side of each edge's line does a sample
+// share with the opposite corner, in 128-bit integers.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "raster/rasterizer.h"
+#include "raster/reference_rasterizer.h"
+#include "raster/sample_pattern.h"
+#include "tests/raster/triangle_soup.h"
+
+namespace kinescope {
+namespace {
+
+__extension__ using Wide = __int128;
+
+struct Point {
+  Wide x, y;  // in 256ths of a pixel
+};
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kScale = 16;
+#else
+constexpr int kScale = 1;
+#endif
+
+int sign(Wide v) { return (v > 0) - (v < 0); }
+
+int side(Point a, Point b, Point p) {
+  return sign((b.x - a.x) * (p.y - a.y) - (p.x - a.x) * (b.y - a.y));
+}
+
+/// On the line of the edge a-b: the triangle owns it if its inside lies below a level edge (a top
+/// edge), or to the right of any other (a left edge).
+bool owns_line(Point a, Point b, Point opposite) {
+  if (a.y == b.y) return opposite.y > a.y;
+  if (a.y > b.y) std::swap(a, b);
+  // x of the line at the height of the opposite corner, times the positive height b.y - a.y.
+  const Wide line_x = a.x * (b.y - a.y) + (b.x - a.x) * (opposite.y - a.y);
+  return opposite.x * (b.y - a.y) > line_x;
+}
+
+bool oracle_covers(const std::array<Point, 3>& t, Point p) {
+  if (side(t[0], t[1], t[2]) == 0) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
+    const int s = side(a, b, p);
+    if (s == 0 ? !owns_line(a, b, c) : s != side(a, b, c)) return false;
+  }
+  return true;
+}
+
+std::array<Point, 3> points(const TriangleSoup& soup, std::size_t triangle) {
+  std::array<Point, 3> out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const TestVertex v = soup.vertex(3 * triangle + i);
+    // llrint rounds to nearest even, as the hardware's conversion does.
+    out[i] = {std::llrint(double{v.x} * 256), std::llrint(double{v.y} * 256)};
+  }
+  return out;
+}
+
+Point sample(int x, int y, SampleOffset o) {
+  return {Wide{x} * 256 + o.x.raw(), Wide{y} * 256 + o.y.raw()};
+}
+
+Image<LinearRgba> draw_ids(const TriangleSoup& soup, int width, int height) {
+  Workers workers(2);
+  Rasterizer rasterizer(workers);
+  RenderTarget target(width, height, 1, ColourFormat::kLinearFloat);
+  target.clear.r = -1;
+  const DrawCall call = soup.call(shade_primitive);
+  rasterizer.draw(target, {&call, 1});
+  return std::get<Image<LinearRgba>>(target.colour);
+}
+
+/// One triangle a cell of a sheet: each is compared alone, many are drawn at once.
+int count_differences_on_a_sheet(unsigned seed, int cell, float reach, int across) {
+  RandomTriangles random(seed);
+  TriangleSoup soup;
+  const auto middle = [&](int i) {
+    return (static_cast<float>(i) + 0.5f) * static_cast<float>(cell);
+  };
+  for (int row = 0; row < across; ++row) {
+    for (int column = 0; column < across; ++column) {
+      const auto t = random.triangle(middle(column), middle(row), reach);
+      soup.add(t[0], t[1], t[2]);
+    }
+  }
+  const Image<LinearRgba> drawn = draw_ids(soup, cell * across, cell * across);
+  int differences = 0;
+  for (std::size_t i = 0; i < soup.size(); ++i) {
+    const auto t = points(soup, i);
+    const int x0 = static_cast<int>(i) % across * cell, y0 = static_cast<int>(i) / across * cell;
+    for (int y = y0; y < y0 + cell; ++y) {
+      for (int x = x0; x < x0 + cell; ++x) {
+        const bool expected = oracle_covers(t, sample(x, y, sample_pattern(1)[0]));
+        const float want = expected ? static_cast<float>(i) : -1.0f;
+        differences += drawn.at(x, y).r != want;
+      }
+    }
+  }
+  return differences;
+}
+
+TEST(CoverageOracle, TinyTriangles) {
+  for (unsigned seed = 0; seed < 20 / kScale + 1; ++seed) {
+    EXPECT_EQ(count_differences_on_a_sheet(seed, 3, 1.4f, 200), 0) << seed;
+  }
+}
+
+TEST(CoverageOracle, SmallTriangles) {
+  for (unsigned seed = 0; seed < 12 / kScale + 1; ++seed) {
+    EXPECT_EQ(count_differences_on_a_sheet(100 + seed, 8, 3.9f, 130), 0) << seed;
+  }
+}
+
+TEST(CoverageOracle, MiddlingTriangles) {
+  for (unsigned seed = 0; seed < 6 / kScale + 1; ++seed) {
+    EXPECT_EQ(count_differences_on_a_sheet(200 + seed, 24, 11.9f, 30), 0) << seed;
+    EXPECT_EQ(count_differences_on_a_sheet(300 + seed, 48, 23.9f, 12), 0) << seed;
+    EXPECT_EQ(count_differences_on_a_sheet(400 + seed, 150, 74.0f, 4), 0) << seed;
+  }
+}
+
+TEST(CoverageOracle, TrianglesAsLargeAsTheGuardBand) {
+  RandomTriangles random(7);
+  for (int i = 0; i < 1200 / kScale; ++i) {
+    TriangleSoup soup;
+    const float reach = i % 3 == 0 ? 200.0f : i % 3 == 1 ? 3000.0f : 32600.0f;
+    const auto t = random.triangle(40, 35, reach);
+    soup.add(t[0], t[1], t[2]);
+    const Image<LinearRgba> drawn = draw_ids(soup, 80, 70);
+    const auto corners = points(soup, 0);
+    int differences = 0;
+    for (int y = 0; y < 70; ++y) {
+      for (int x = 0; x < 80; ++x) {
+        const bool expected = oracle_covers(corners, sample(x, y, sample_pattern(1)[0]));
+        differences += drawn.at(x, y).r != (expected ? 0.0f : -1.0f);
+      }
+    }
+    ASSERT_EQ(differences, 0) << "triangle " << i;
+  }
+}
+
+/// The reference image's coverage of every sample, for all patterns; fast paths equal it by hash.
+TEST(CoverageOracle, ReferenceAtEverySampleCount) {
+  for (const int samples : {1, 4, 8}) {
+    RandomTriangles random(static_cast<unsigned>(samples));
+    const TriangleSoup soup = random.soup(400 / kScale, 50, 40);
+    const DrawCall call = soup.call(nullptr);
+    const ReferenceImage reference = draw_reference(50, 40, samples, {&call, 1});
+    std::vector<std::array<Point, 3>> triangles;
+    for (std::size_t i = 0; i < soup.size(); ++i) triangles.push_back(points(soup, i));
+    std::size_t at = 0;
+    for (int y = 0; y < 40; ++y) {
+      for (int x = 0; x < 50; ++x) {
+        for (const SampleOffset& offset : sample_pattern(samples)) {
+          std::uint32_t count = 0;
+          for (const auto& t : triangles) count += oracle_covers(t, sample(x, y, offset));
+          ASSERT_EQ(reference.coverage[at++], count) << x << "," << y;
+        }
+      }
+    }
+  }
+}
+
+/// A closed mesh in the plane: a jittered grid. Every sample inside is covered by one triangle.
+TEST(CoverageOracle, AMeshWithoutHolesCoversEachSampleOnce) {
+  for (const int samples : {1, 4, 8}) {
+    for (const float cell : {0.9f, 3.0f, 9.0f, 33.0f}) {
+      RandomTriangles random(static_cast<unsigned>(cell));
+      const int across = static_cast<int>(70 / cell) + 3;
+      std::vector<TestVertex> grid;
+      for (int j = 0; j <= across; ++j) {
+        for (int i = 0; i <= across; ++i) {
+          // The rim lies outside the target; jitter of less than half a cell folds nothing over.
+          const bool rim = i == 0 || j == 0 || i == across || j == across;
+          TestVertex v = random.vertex(0, 0, rim ? 0.0f : 0.24f * cell);
+          if (cell < 2) v = {random.between(-.2f, .2f), random.between(-.2f, .2f)};
+          v.x = (static_cast<float>(i) - 1) * cell + (rim ? 0 : v.x);
+          v.y = (static_cast<float>(j) - 1) * cell + (rim ? 0 : v.y);
+          grid.push_back(v);
+        }
+      }
+      TriangleSoup soup;
+      for (int j = 0; j < across; ++j) {
+        for (int i = 0; i < across; ++i) {
+          const auto at = [&](int x, int y) {
+            return grid[static_cast<std::size_t>((j + y) * (across + 1) + i + x)];
+          };
+          soup.add(at(0, 0), at(1, 0), at(1, 1));
+          soup.add(at(0, 0), at(1, 1), at(0, 1));
+        }
+      }
+      const int size = static_cast<int>(static_cast<float>(across - 2) * cell) - 8;
+      if (size < 1) continue;
+      const DrawCall call = soup.call(shade_primitive);
+      const ReferenceImage reference = draw_reference(size, size, samples, {&call, 1});
+      for (const std::uint32_t count : reference.coverage) ASSERT_EQ(count, 1u) << cell;
+      Workers workers(1);
+      Rasterizer rasterizer(workers);
+      RenderTarget target(size, size, samples);
+      EXPECT_EQ(rasterizer.draw(target, {&call, 1}, true).visibility_hash,
+                reference.visibility_hash);
+    }
+  }
+}
+
+/// Drawn additively: the two sides of a closed body cover each sample equally often.
+TEST(CoverageOracle, AClosedBodyIsEnteredAsOftenAsItIsLeft) {
+  RandomTriangles random(5);
+  constexpr int kRings = 14, kAround = 17;
+  std::vector<TestVertex> v;
+  for (int i = 0; i < kRings; ++i) {
+    for (int j = 0; j < kAround; ++j) {
+      v.push_back({random.between(0, 60), random.between(0, 60), 0.5f});
+    }
+  }
+  TriangleSoup torus;
+  const auto at = [&](int i, int j) {
+    return v[static_cast<std::size_t>((i % kRings) * kAround + j % kAround)];
+  };
+  for (int i = 0; i < kRings; ++i) {
+    for (int j = 0; j < kAround; ++j) {
+      torus.add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      torus.add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  }
+  const DrawCall fronts = torus.call(nullptr, CullMode::kBack);
+  const DrawCall backs = torus.call(nullptr, CullMode::kFront);
+  const ReferenceImage front = draw_reference(60, 60, 4, {&fronts, 1});
+  const ReferenceImage back = draw_reference(60, 60, 4, {&backs, 1});
+  EXPECT_EQ(front.coverage, back.coverage);
+  EXPECT_GT(front.coverage[(30 * 60 + 30) * 4], 3u);
+}
+
+}  // namespace
+}  // namespace kinescope

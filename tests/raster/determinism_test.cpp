@@ -1,0 +1,188 @@
+// One scene, one image: for threads, tiles, instruction sets, and against the scalar reference.
+#include <gtest/gtest.h>
+
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "raster/base/simd.h"
+#include "raster/rasterizer.h"
+#include "raster/reference_rasterizer.h"
+#include "tests/raster/triangle_soup.h"
+
+namespace kinescope {
+namespace {
+
+/// Returns to the best target when a test ends.
+class SimdGuard {
+ public:
+  ~SimdGuard() { use_simd_target("best"); }
+};
+
+struct Drawn {
+  std::uint64_t hash = 0;
+  std::uint64_t triangles = 0;
+  Image<LinearRgba> colour;
+  bool operator==(const Drawn&) const = default;
+};
+
+void shade_by_triangle_and_place(const Batch& batch, LinearRgba* out) {
+  for (int i = 0; i < batch.size; ++i) {
+    const auto p = static_cast<float>(batch.primitive[i]);
+    out[i] = {p * 0.37f, batch.attribute[0][i], batch.attribute[1][i], 1};
+  }
+}
+
+struct TestScene {
+  TestScene(int count, int width, int height, unsigned seed)
+      : soup(RandomTriangles(seed).soup(count, width, height)) {
+    RandomTriangles random(seed + 1);
+    for (std::size_t i = 0; i < 2 * 3 * soup.size(); ++i) rows.push_back(random.between(0, 1));
+  }
+  /// Three calls over the same triangles, so that calls mix in every tile.
+  std::vector<DrawCall> calls() const {
+    std::vector<DrawCall> out;
+    const std::size_t third = soup.size() / 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      DrawCall c = soup.call(shade_by_triangle_and_place, CullMode::kNone);
+      const std::size_t end = i == 2 ? soup.size() : (i + 1) * third;
+      c.indices = c.indices.subspan(3 * i * third, 3 * (end - i * third));
+      c.attributes = rows;
+      c.attribute_count = c.attribute_stride = 2;
+      out.push_back(c);
+    }
+    return out;
+  }
+  TriangleSoup soup;
+  std::vector<float> rows;
+};
+
+Drawn draw(const TestScene& scene, int width, int height, int samples, int threads,
+           RasterizerOptions options = {}) {
+  Workers workers(threads);
+  Rasterizer rasterizer(workers, options);
+  RenderTarget target(width, height, samples, ColourFormat::kLinearFloat);
+  const auto calls = scene.calls();
+  const RasterStats stats = rasterizer.draw(target, calls, true);
+  return {stats.visibility_hash, stats.drawn, std::get<Image<LinearRgba>>(target.colour)};
+}
+
+TEST(Determinism, EqualsTheReferenceOnEveryInstructionSet) {
+  const SimdGuard guard;
+  for (const int samples : {1, 4, 8}) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      const TestScene scene(700, 150, 110, seed);
+      const auto calls = scene.calls();
+      const ReferenceImage reference = draw_reference(150, 110, samples, calls);
+      for (const std::string& name : simd_targets()) {
+        use_simd_target(name);
+        EXPECT_EQ(draw(scene, 150, 110, samples, 2).hash, reference.visibility_hash)
+            << name << ", " << samples << " samples, seed " << seed;
+      }
+      use_simd_target("best");
+    }
+  }
+}
+
+/// Depth and visibility sample by sample: a hash alone would not say where they part.
+TEST(Determinism, DepthEqualsTheReferenceBitByBit) {
+  const TestScene scene(500, 97, 61, 9);
+  const auto calls = scene.calls();
+  for (const int samples : {1, 4, 8}) {
+    const ReferenceImage reference = draw_reference(97, 61, samples, calls);
+    Workers workers(2);
+    Rasterizer rasterizer(workers);
+    RenderTarget target(97, 61, samples);
+    target.keep_depth = true;
+    rasterizer.draw(target, calls);
+    for (int y = 0; y < 61; ++y) {
+      for (int x = 0; x < 97; ++x) {
+        ASSERT_EQ(target.depth.at(x, y),
+                  reference.depth[static_cast<std::size_t>((y * 97 + x) * samples)])
+            << x << "," << y;
+      }
+    }
+  }
+}
+
+TEST(Determinism, SameForAnyThreadCount) {
+  for (const int samples : {1, 4, 8}) {
+    const TestScene scene(3000, 200, 160, 11);
+    const Drawn one = draw(scene, 200, 160, samples, 1);
+    EXPECT_NE(one.hash, 0u);
+    for (const int threads : {2, 8}) EXPECT_EQ(draw(scene, 200, 160, samples, threads), one);
+  }
+}
+
+TEST(Determinism, SameForAnyTileSize) {
+  for (const int samples : {1, 4}) {
+    const TestScene scene(900, 143, 131, 12);
+    const Drawn usual = draw(scene, 143, 131, samples, 2);
+    for (const auto& [w, h] : {std::pair{8, 8}, {16, 64}, {24, 40}, {64, 64}, {64, 8}}) {
+      EXPECT_EQ(draw(scene, 143, 131, samples, 2, {w, h}), usual) << w << "x" << h;
+    }
+  }
+}
+
+TEST(Determinism, SameFrameAfterFrame) {
+  const TestScene scene(900, 90, 80, 13), other(2000, 64, 200, 14);
+  Workers workers(2);
+  Rasterizer rasterizer(workers);
+  RenderTarget small(90, 80, 4), tall(64, 200, 1);
+  const auto calls = scene.calls(), other_calls = other.calls();
+  const RasterStats first = rasterizer.draw(small, calls, true);
+  const Image<Srgb8> picture = small.srgb8();
+  rasterizer.draw(tall, other_calls, true);
+  const RasterStats again = rasterizer.draw(small, calls, true);
+  EXPECT_EQ(first.visibility_hash, again.visibility_hash);
+  EXPECT_EQ(first.fragments, again.fragments);
+  EXPECT_EQ(picture, small.srgb8());
+}
+
+TEST(Determinism, TheHashSeesOneTriangleAndOneBitOfDepth) {
+  TriangleSoup a, b, c;
+  a.add({0, 0, 0.5f}, {0, 8, 0.5f}, {8, 8, 0.5f});
+  const float z = std::nextafter(0.5f, 1.0f);
+  b.add({0, 0, z}, {0, 8, z}, {8, 8, z});
+  c.add({20, 20}, {20, 20}, {20, 20});  // covers nothing, but the next triangle's number is 1
+  c.add({0, 0, 0.5f}, {0, 8, 0.5f}, {8, 8, 0.5f});
+  Workers workers(1);
+  Rasterizer rasterizer(workers);
+  RenderTarget target(8, 8);
+  std::set<std::uint64_t> hashes;
+  for (const TriangleSoup* soup : {&a, &b, &c}) {
+    const DrawCall call = soup->call(nullptr);
+    hashes.insert(rasterizer.draw(target, {&call, 1}, true).visibility_hash);
+  }
+  EXPECT_EQ(hashes.size(), 3u);
+  EXPECT_EQ(rasterizer.draw(target, {}, true).visibility_hash, 0u);
+}
+
+std::mutex seen_mutex;
+std::set<std::thread::id> seen_threads;
+
+void shade_and_note_thread(const Batch& batch, LinearRgba* out) {
+  {
+    const std::lock_guard lock(seen_mutex);
+    seen_threads.insert(std::this_thread::get_id());
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  for (int i = 0; i < batch.size; ++i) out[i] = {};
+}
+
+TEST(Determinism, AsManyThreadsShadeAsWereAskedFor) {
+  TriangleSoup soup;
+  soup.add({0, 0}, {0, 600}, {600, 0});
+  for (const int threads : {1, 2, 8}) {
+    seen_threads.clear();
+    Workers workers(threads);
+    Rasterizer rasterizer(workers, {32, 32});
+    RenderTarget target(300, 300);
+    const DrawCall call = soup.call(shade_and_note_thread);
+    rasterizer.draw(target, {&call, 1});
+    EXPECT_EQ(seen_threads.size(), static_cast<std::size_t>(threads));
+  }
+}
+
+}  // namespace
+}  // namespace kinescope
