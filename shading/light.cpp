@@ -14,10 +14,10 @@ PreparedLight::PreparedLight(const Light& light)
       colour(light.colour),
       position(light.position),
       direction(normalized(light.direction)),
-      attenuation(light.attenuation),
-      cos_outer(std::cos(light.outer_cone_rad)),
-      cone_scale(1.0f) {
+      attenuation(light.attenuation) {
+  if (kind != LightKind::kSpot) return;
   const float cos_inner = std::cos(std::min(light.inner_cone_rad, light.outer_cone_rad));
+  cos_outer = std::cos(light.outer_cone_rad);
   cone_scale = 1.0f / std::max(cos_inner - cos_outer, kLeastCone);
 }
 

@@ -39,8 +39,8 @@ struct PreparedLight {
   glm::vec3 position;
   glm::vec3 direction;  ///< unit length, the way the light travels
   glm::vec3 attenuation;
-  float cos_outer;
-  float cone_scale;  ///< 1 / (cos inner - cos outer)
+  float cos_outer = 0.0f;   ///< of a spot
+  float cone_scale = 0.0f;  ///< of a spot: 1 / (cos inner - cos outer)
 };
 
 }  // namespace kinescope

@@ -1,5 +1,7 @@
 #include "shading/surface.h"
 
+#include <hwy/targets.h>
+
 #include <cassert>
 
 #include "shading/models/models.h"
@@ -16,6 +18,9 @@ ShadeFunction shade_function(ShadingModel model) {
       {ShadingModel::kPhong, phong_shader}, {ShadingModel::kBlinn, blinn_shader},
       {ShadingModel::kUnlit, unlit_shader},
   };
+  // Before its first choice Highway would hand out functions that choose again at every call.
+  hwy::ChosenTarget& chosen = hwy::GetChosenTarget();
+  if (!chosen.IsInitialized()) chosen.Update(hwy::SupportedTargets());
   for (const Entry& entry : kModels) {
     if (entry.model == model) return entry.shader();
   }

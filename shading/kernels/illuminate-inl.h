@@ -68,10 +68,9 @@ template <bool kHalfVector, class Emit>
 HWY_INLINE void illuminate(const Surface& surface, const PointArrays& points, int count,
                            const Emit& emit) {
   const Floats d;
-  const LightConstants lights(surface);
   const Material& material = surface.material;
-  const Vec exponent = hn::Set(d, lights.exponent);
-  const Vec least_cosine = hn::Set(d, lights.least_cosine);
+  const HighlightConstants shiny(material);
+  ReadyLights lights(surface.lights);
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
     const Vec3 position = load(points.position, i);
     Vec3 n = unit(load(points.normal, i));
@@ -86,18 +85,18 @@ HWY_INLINE void illuminate(const Surface& surface, const PointArrays& points, in
     Vec3 diffuse = splat(surface.ambient);
     Vec3 highlight = splat(glm::vec3(0.0f));
     for (std::size_t k = 0; k < surface.lights.size(); ++k) {
-      const PreparedLight light = lights.at(k);
+      const PreparedLight& light = lights.at(k);
       const Arrival in = arrival(light, position);
       const Vec cos_in = dot(n, in.to_light);
       const auto lit = hn::Gt(cos_in, hn::Zero(d));
       if (hn::AllFalse(d, lit)) continue;
       const Vec arriving = hn::IfThenElseZero(lit, hn::Mul(cos_in, in.strength));
       diffuse = mul_add(arriving, splat(light.colour), diffuse);
-      if (!lights.has_highlight) continue;
+      if (shiny.none) continue;
       const Vec cosine = highlight_cosine<kHalfVector>(cos_in, cos_eye, dot(in.to_light, to_eye));
-      const auto shines = hn::And(lit, hn::Gt(cosine, least_cosine));
+      const auto shines = hn::And(lit, hn::Gt(cosine, hn::Set(d, shiny.least_cosine)));
       if (hn::AllFalse(d, shines)) continue;
-      const Vec power = fast_pow(d, hn::Min(cosine, hn::Set(d, 1.0f)), exponent);
+      const Vec power = fast_pow(d, hn::Min(cosine, hn::Set(d, 1.0f)), hn::Set(d, shiny.exponent));
       const Vec shine = hn::IfThenElseZero(shines, hn::Mul(power, in.strength));
       highlight = mul_add(shine, splat(light.colour), highlight);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "shading/limits.h"
 #include "shading/surface.h"
@@ -31,31 +32,37 @@ inline PointArrays point_arrays(const Batch& batch, const Surface& surface) {
   return points;
 }
 
-/// Constants of one batch. Lights beyond the first few are made ready at each use.
-class LightConstants {
+/// Constants of one batch.
+struct HighlightConstants {
+  explicit HighlightConstants(const Material& material)
+      : none(material.specular == glm::vec3(0.0f)),
+        exponent(std::fmax(material.shininess, 0.0f)),
+        least_cosine(exponent > 0.0f ? std::exp2(kLeastHighlightLog2 / exponent) : 0.0f) {}
+
+  bool none;
+  float exponent;
+  float least_cosine;  ///< smaller cosines give less than kLeastHighlightLog2
+};
+
+/// The lights of one batch. Those beyond the first few are made ready at each use.
+class ReadyLights {
  public:
-  explicit LightConstants(const Surface& surface)
-      : lights_(surface.lights),
-        has_highlight(surface.material.specular != glm::vec3(0.0f)),
-        exponent(std::fmax(surface.material.shininess, 0.0f)),
-        least_cosine(exponent > 0.0f ? std::exp2(kLeastHighlightLog2 / exponent) : 0.0f) {
+  explicit ReadyLights(std::span<const Light> lights) : lights_(lights) {
     for (std::size_t k = 0; k < ready_.size() && k < lights_.size(); ++k) {
       ready_[k].emplace(lights_[k]);
     }
   }
 
-  PreparedLight at(std::size_t k) const {
-    return k < ready_.size() ? *ready_[k] : PreparedLight(lights_[k]);
+  /// Light k; the reference holds until the next call.
+  const PreparedLight& at(std::size_t k) {
+    if (k < ready_.size()) return *ready_[k];
+    return spare_.emplace(lights_[k]);
   }
 
  private:
   std::span<const Light> lights_;
   std::array<std::optional<PreparedLight>, 16> ready_;
-
- public:
-  const bool has_highlight;
-  const float exponent;
-  const float least_cosine;  ///< smaller cosines give less than kLeastHighlightLog2
+  std::optional<PreparedLight> spare_;
 };
 
 }  // namespace kinescope
