@@ -15,7 +15,18 @@ using Vec = glm::dvec3;
 
 constexpr double kMargin = 0.06;  // of the picture's half height or width, left free on each side
 
-bool finite(glm::vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+/// Squares of larger numbers overflow in matrices and distances.
+constexpr float kFarthest = 1e18f;
+
+bool usable(glm::vec3 p) {
+  return std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest && std::abs(p.z) <= kFarthest;
+}
+
+/// A radius to look at; a single place gets a sphere too.
+double visible_radius(const Bounds& bounds) {
+  const double radius = std::max<double>(bounds.radius(), 1e-6 * glm::length(Vec(bounds.centre())));
+  return radius > 0.0 ? radius : 1.0;
+}
 
 /// Calls visit(point) for every finite vertex that a triangle uses, in world space.
 template <typename Visit>
@@ -30,7 +41,7 @@ void for_each_drawn_point(const Scene& scene, const Visit& visit) {
         if (i >= seen.size() || seen[i]) continue;
         seen[i] = true;
         const glm::vec3 p(transforms[n] * glm::vec4(mesh.positions[i], 1.0f));
-        if (finite(p)) visit(p);
+        if (usable(p)) visit(p);
       }
     }
   }
@@ -72,10 +83,9 @@ struct Fit {
 
   Fit(const Bounds& bounds, float aspect, float azimuth_rad, float elevation_rad, float fov_y_rad)
       : centre(bounds.centre()),
-        // A single point gets a sphere to look at, too.
-        radius(std::max<double>(bounds.radius(), 1e-5 * (1.0 + glm::length(centre)))),
+        radius(visible_radius(bounds)),
         axes(view_axes(azimuth_rad, elevation_rad)),
-        slope_y(std::tan(fov_y_rad * 0.5) * (1.0 - kMargin)) {
+        slope_y(std::tan(std::clamp(fov_y_rad, 1e-3f, 3.1f) * 0.5) * (1.0 - kMargin)) {
     slope_x = slope_y * aspect;
   }
 
@@ -135,7 +145,7 @@ float Bounds::radius() const {
 }
 
 void Bounds::add(glm::vec3 point) {
-  if (!finite(point)) return;
+  if (!usable(point)) return;
   min = empty ? point : glm::min(min, point);
   max = empty ? point : glm::max(max, point);
   empty = false;
@@ -196,7 +206,7 @@ Camera frame_turntable(const Scene& scene, float aspect, float azimuth_rad, floa
 void add_default_lights(Scene& scene, const Camera& camera) {
   const Bounds bounds = bounds_or_origin(scene);
   const Vec centre(bounds.centre());
-  const double radius = std::max<double>(bounds.radius(), 1e-5 * (1.0 + glm::length(centre)));
+  const double radius = visible_radius(bounds);
   const glm::dmat3 world_from_view(glm::transpose(glm::mat3(camera.view_from_world())));
   const auto add = [&](Vec from, glm::vec3 colour) {
     Light light;
@@ -205,8 +215,8 @@ void add_default_lights(Scene& scene, const Camera& camera) {
     light.colour = colour;
     scene.lights.push_back({-1, light});
   };
-  add({-0.6, 0.8, 0.8}, {0.85f, 0.83f, 0.78f});  // key: from above, left of the camera
-  add({0.9, 0.1, 0.7}, {0.22f, 0.25f, 0.32f});   // fill: weak and cool, from the right
+  add({-0.9, 1.0, 0.8}, {0.95f, 0.92f, 0.86f});  // key: from above, left of the camera
+  add({1.0, 0.1, 0.7}, {0.12f, 0.15f, 0.22f});   // fill: weak and cool, from the right
   add({0.5, 0.7, -1.0}, {0.40f, 0.40f, 0.42f});  // rim: from behind, to part it from the ground
 }
 

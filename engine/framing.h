@@ -5,7 +5,8 @@
 
 namespace kinescope {
 
-/// Bounds of everything drawn, world space. Non-finite vertices are passed over.
+/// Bounds of everything drawn, world space. Vertices that are not finite, or farther out than 1e18,
+/// are passed over.
 struct Bounds {
   glm::vec3 min{0.0f};
   glm::vec3 max{0.0f};

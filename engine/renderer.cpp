@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/frame_mesh.h"
+#include "engine/wire_pass.h"
 
 namespace kinescope {
 namespace {
@@ -69,7 +70,9 @@ struct Renderer::State {
   State(Workers& team, RasterizerOptions options) : workers(team), rasterizer(team, options) {}
 
   void prepare(const Scene& scene, const Camera& camera, const RenderSettings& settings);
-  void cut(const Projector& projector, const RenderSettings& settings, RenderStats& stats);
+  void cut(const Projector& projector, ShadingModel shading, RenderStats& stats);
+  void add_surfaces(const Projector& projector, const RenderSettings& settings, RenderStats& stats);
+  void add_hidden_surfaces(const Projector& projector, const LinearRgba& clear, RenderStats& stats);
 
   Workers& workers;
   Rasterizer rasterizer;
@@ -77,6 +80,7 @@ struct Renderer::State {
   std::vector<FrameMesh> meshes;
   std::vector<Light> lights;
   std::vector<DrawCall> calls;
+  WirePass wires;
 };
 
 /// Surfaces, lights, and which meshes can be seen at all.
@@ -101,14 +105,40 @@ void Renderer::State::prepare(const Scene& scene, const Camera& camera,
   }
 }
 
-void Renderer::State::cut(const Projector& projector, const RenderSettings& settings,
-                          RenderStats& stats) {
+void Renderer::State::cut(const Projector& projector, ShadingModel shading, RenderStats& stats) {
   for (FrameMesh& mesh : meshes) {
     if (!mesh.seen || !mesh.must_cut()) continue;
-    const Rows rows = rows_of(mesh, settings.shading);
+    const Rows rows = rows_of(mesh, shading);
     mesh.cut.cut(workers, projector, DeviceVertices::kGuardBand, mesh.world->positions,
                  mesh.world->mesh->indices, mesh.device, rows.values, rows.stride, rows.count);
     stats.clipped += mesh.cut.cut_count();
+  }
+}
+
+void Renderer::State::add_surfaces(const Projector& projector, const RenderSettings& settings,
+                                   RenderStats& stats) {
+  if (settings.shading == ShadingModel::kGouraud) light_mesh_vertices(workers, meshes);
+  if (settings.shading == ShadingModel::kFlat) light_mesh_triangles(workers, meshes);
+  cut(projector, settings.shading, stats);
+  // All surfaces are drawn as if opaque; those that let light through belong in a pass behind.
+  for (FrameMesh& mesh : meshes) {
+    if (mesh.seen) calls.push_back(draw_call(mesh, settings.shading));
+  }
+}
+
+/// Surfaces in the colour of the background, which hide what lies behind them.
+void Renderer::State::add_hidden_surfaces(const Projector& projector, const LinearRgba& clear,
+                                          RenderStats& stats) {
+  cut(projector, ShadingModel::kUnlit, stats);
+  for (FrameMesh& mesh : meshes) {
+    if (!mesh.seen) continue;
+    DrawCall call = draw_call(mesh, ShadingModel::kUnlit);
+    call.attributes = {};
+    call.attribute_count = 0;
+    call.texcoord_attribute = -1;
+    call.shade = shade_constant;
+    call.constants = &clear;
+    calls.push_back(call);
   }
 }
 
@@ -117,7 +147,10 @@ Renderer::Renderer(Workers& workers, RasterizerOptions options)
 
 Renderer::~Renderer() = default;
 
-void Renderer::invalidate() { state_->world.invalidate(); }
+void Renderer::invalidate() {
+  state_->world.invalidate();
+  state_->wires = {};
+}
 
 RenderStats Renderer::render(const Scene& scene, const Camera& camera,
                              const RenderSettings& settings, RenderTarget& target,
@@ -130,13 +163,12 @@ RenderStats Renderer::render(const Scene& scene, const Camera& camera,
   const Projector projector =
       make_projector(camera.clip_from_world(), viewport, DeviceVertices::kGuardBand);
   stats.vertices = project_meshes(s.workers, projector, s.meshes);
-  if (settings.shading == ShadingModel::kGouraud) light_mesh_vertices(s.workers, s.meshes);
-  if (settings.shading == ShadingModel::kFlat) light_mesh_triangles(s.workers, s.meshes);
-  s.cut(projector, settings, stats);
   s.calls.clear();
-  // All surfaces are drawn as if opaque; those that let light through belong in a pass behind.
-  for (FrameMesh& mesh : s.meshes) {
-    if (mesh.seen) s.calls.push_back(draw_call(mesh, settings.shading));
+  if (settings.wireframe || settings.points) {
+    if (settings.hidden_wire) s.add_hidden_surfaces(projector, target.clear, stats);
+    s.wires.add_calls(s.workers, projector, camera, settings, target.clear, s.meshes, s.calls);
+  } else {
+    s.add_surfaces(projector, settings, stats);
   }
   stats.raster = s.rasterizer.draw(target, s.calls, want_visibility_hash);
   return stats;

@@ -65,7 +65,7 @@ HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, Floats>> outcodes_of(const Projector
           within(x, hn::Mul(w, hn::Set(d, p.guard_min.x)), hn::Mul(w, hn::Set(d, p.guard_max.x))),
           within(y, hn::Mul(w, hn::Set(d, p.guard_min.y)), hn::Mul(w, hn::Set(d, p.guard_max.y)))),
       hn::Ge(w, hn::Set(d, kLeastW)));
-  // A number times 0 is 0 unless it is infinite or NaN.
+  // A number times 0 is 0 unless it is infinite or NaN, for which Ne() need not hold.
   const Vec zeros =
       hn::Mul(hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Add(hn::Abs(z), hn::Abs(w))), zero);
   auto code = bit_where(hn::Lt(x, minus_w), outcode::kLeft);
@@ -75,7 +75,7 @@ HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, Floats>> outcodes_of(const Projector
   code = hn::Or(code, bit_where(hn::Lt(z, zero), outcode::kNear));
   code = hn::Or(code, bit_where(hn::Gt(z, w), outcode::kFar));
   code = hn::Or(code, bit_where(hn::Not(fits), outcode::kGuard));
-  return hn::Or(code, bit_where(hn::Ne(zeros, zero), outcode::kNotFinite));
+  return hn::Or(code, bit_where(hn::Not(hn::Eq(zeros, zero)), outcode::kNotFinite));
 }
 
 void project_range(const Projector& p, const Positions& world, std::size_t begin, std::size_t end,

@@ -118,6 +118,7 @@ std::uint64_t WorldMeshes::update(Workers& workers, const Scene& scene) {
         keys_[slot] = {};
         move_mesh(workers, scene.meshes[m], world_from_local[n], item);
         keys_[slot] = key;
+        item.fingerprint = key.mesh;
         moved += item.vertices();
       }
       // The scene may have been copied or grown since.

@@ -14,7 +14,8 @@ namespace kinescope {
 
 /// One mesh as one node shows it: what does not depend on the camera.
 struct WorldMesh {
-  const Mesh* mesh = nullptr;  ///< null: nothing to draw
+  const Mesh* mesh = nullptr;     ///< null: nothing to draw
+  std::uint64_t fingerprint = 0;  ///< changes with the mesh
   WorldTransform transform;
   Positions positions;
   std::vector<float> rows;  ///< vertex_row of each vertex, and room for what clipping adds

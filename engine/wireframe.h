@@ -1,0 +1,48 @@
+// Wireframes and points: edges and vertices of projected meshes as quads that face the screen.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/frame_mesh.h"
+#include "engine/mesh_edges.h"
+#include "raster/draw_call.h"
+
+namespace kinescope {
+
+/// What is subtracted from depth so that a line lies just before its surface: depth becomes
+/// depth * gain - offset.
+struct DepthPull {
+  float gain = 1.0f;
+  float offset = 0.0f;
+};
+/// A thousandth or so of the distance from the eye (of the depth range where parallel).
+DepthPull depth_pull(const Camera& camera);
+
+/// The quads of one mesh. Keeps its buffers between frames.
+class WireQuads {
+ public:
+  /// One quad an edge, `width_px` wide, its ends lengthened by half of that so that corners close.
+  /// Edges are cut where the view ends.
+  void draw_edges(Workers& workers, const Projector& projector, const FrameMesh& mesh,
+                  std::span<const Edge> edges, float width_px, DepthPull pull);
+  /// One square a vertex, `size_px` wide.
+  void draw_points(Workers& workers, const FrameMesh& mesh, float size_px, DepthPull pull);
+
+  /// All quads in one colour; valid until the next call of draw.
+  DrawCall draw_call(const LinearRgba& colour) const;
+
+ private:
+  struct End;
+  void resize(std::size_t quads);
+  void put(std::size_t quad, const End& a, const End& b, float half_width_px, DepthPull pull);
+  void put_nothing(std::size_t quad);
+
+  std::vector<float> x_px_, y_px_, z_, inv_w_;
+  std::vector<std::uint32_t> indices_;
+};
+
+/// A shader of one colour; the constants are a LinearRgba.
+void shade_constant(const Batch& batch, LinearRgba* out);
+
+}  // namespace kinescope
