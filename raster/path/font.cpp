@@ -28,6 +28,11 @@ constexpr int kPhases = 4;
 constexpr float kTolerancePx = 1.0f / 512;
 [[maybe_unused]] constexpr float kLargestPx = 2048;
 
+// FreeType has whole units between a curve's control points, 1/64 pixel each unless shifted: too
+// coarse, since half a unit is two codes of coverage.
+constexpr int kOutlineShift = 6;
+constexpr float kUnitsPerPx = 64 << kOutlineShift;
+
 /// The coverage of one glyph, its corner given from the pen's whole pixel and the baseline.
 struct Glyph {
   float advance_px = 0;
@@ -43,7 +48,8 @@ struct OutlineSink {
   glm::vec2 pen{0}, start{0};
 
   glm::vec2 place(const FT_Vector* p) const {
-    return {static_cast<float>(p->x) / 64 - left, top - static_cast<float>(p->y) / 64};
+    return {static_cast<float>(p->x) / kUnitsPerPx - left,
+            top - static_cast<float>(p->y) / kUnitsPerPx};
   }
   void line_to(glm::vec2 to) {
     area.add_edge(pen, to);
@@ -88,7 +94,7 @@ void scan_convert(FT_Outline& outline, Glyph& glyph) {
   glyph.height = static_cast<int>(-(box.yMin >> 6)) - glyph.top;
   ExactArea area(glyph.width, glyph.height);
   OutlineSink sink{area, static_cast<float>(glyph.left), static_cast<float>(-glyph.top)};
-  const FT_Outline_Funcs callbacks{move_to, line_to, quadratic_to, cubic_to, 0, 0};
+  const FT_Outline_Funcs callbacks{move_to, line_to, quadratic_to, cubic_to, kOutlineShift, 0};
   FT_Outline_Decompose(&outline, &callbacks, &sink);
   sink.close();
   area.rows(FillRule::kNonZero, [&](int, std::span<const float> row) {
