@@ -3,6 +3,7 @@
 #include "shading/mipmap.h"
 
 #include <array>
+#include <cstdint>
 
 namespace kinescope {
 namespace {
@@ -23,9 +24,25 @@ Taps taps(int from, int to, int i) {
   return {2 * i, 3, {m - at, m, at + 1}};
 }
 
+/// Two by two texels of equal weight.
+void average_even_row(const Texture::Level& from, const Texture::Level& to, int y, Texel* out) {
+  const Texel* top = from.row(2 * y);
+  const Texel* bottom = from.row(2 * y + 1);
+  const auto mean = [](int a, int b, int c, int d) {
+    return static_cast<std::uint16_t>((a + b + c + d + 2) / 4);
+  };
+  for (int x = 0; x < to.width(); ++x, top += 2, bottom += 2) {
+    out[x] = {mean(top[0].r, top[1].r, bottom[0].r, bottom[1].r),
+              mean(top[0].g, top[1].g, bottom[0].g, bottom[1].g),
+              mean(top[0].b, top[1].b, bottom[0].b, bottom[1].b),
+              mean(top[0].a, top[1].a, bottom[0].a, bottom[1].a)};
+  }
+}
+
 }  // namespace
 
 void average_row(const Texture::Level& from, const Texture::Level& to, int y, Texel* out) {
+  if (from.width() % 2 == 0 && from.height() % 2 == 0) return average_even_row(from, to, y, out);
   const Taps down = taps(from.height(), to.height(), y);
   for (int x = 0; x < to.width(); ++x) {
     const Taps across = taps(from.width(), to.width(), x);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
+#include <string>
 
 #include "raster/base/error.h"
 #include "shading/mipmap.h"
@@ -67,7 +69,12 @@ void Texture::lay_out(int width, int height) {
   if (texels > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     throw_bad_input("a texture of more than 2^31 texels");
   }
-  texels_.resize(texels);
+  try {
+    texels_.resize(texels);
+  } catch (const std::bad_alloc&) {
+    throw_bad_input("too little memory for a texture of " + std::to_string(places_[0].width) +
+                    " x " + std::to_string(places_[0].height) + " texels");
+  }
 }
 
 Texel* Texture::mutable_row(int i, int y) {

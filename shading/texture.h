@@ -48,8 +48,9 @@ class Texture {
   };
 
   Texture() = default;
-  /// Decodes the picture to linear light and averages it down to one texel.
-  /// @throws Error (bad input) if the chain would hold more than 2^31 texels
+  /// Decodes the picture to linear light and averages it down to one texel; alpha is a channel like
+  /// the others.
+  /// @throws Error (bad input) if the chain would hold 2^31 texels or does not fit into memory
   explicit Texture(const Image<Srgb8>& picture, Filter filter = Filter::kTrilinear,
                    Wrap wrap_u = Wrap::kRepeat, Wrap wrap_v = Wrap::kRepeat);
   /// The same from values that are linear already.

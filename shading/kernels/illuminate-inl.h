@@ -62,6 +62,25 @@ HWY_INLINE Vec highlight_cosine(const Vec& cos_in, const Vec& cos_eye, const Vec
   return hn::MulSub(hn::Mul(two, cos_in), cos_eye, light_eye);
 }
 
+/// What the points see: unit normals, unit vectors to the eye, and the cosine between them.
+struct View {
+  Vec3 normal, to_eye;
+  Vec cosine;
+};
+
+HWY_INLINE View view_of(const Surface& surface, const Vec3& position, const Vec3& normal) {
+  const Floats d;
+  View view{unit(normal), unit(sub(splat(surface.eye), position)), hn::Zero(d)};
+  view.cosine = dot(view.normal, view.to_eye);
+  if (surface.material.double_sided) {
+    const Vec sign =
+        hn::IfThenElse(hn::Lt(view.cosine, hn::Zero(d)), hn::Set(d, -1.0f), hn::Set(d, 1.0f));
+    view.normal = scale(view.normal, sign);
+    view.cosine = hn::Abs(view.cosine);
+  }
+  return view;
+}
+
 /// Calls emit(i, body, highlight) for each vector of points i, i + 1, ... below `count` (rounded up
 /// to whole vectors). `body` still lacks the texture.
 template <bool kHalfVector, class Emit>
@@ -73,27 +92,20 @@ HWY_INLINE void illuminate(const Surface& surface, const PointArrays& points, in
   ReadyLights lights(surface.lights);
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
     const Vec3 position = load(points.position, i);
-    Vec3 n = unit(load(points.normal, i));
-    const Vec3 to_eye = unit(sub(splat(surface.eye), position));
-    Vec cos_eye = dot(n, to_eye);
-    if (material.double_sided) {
-      const auto away = hn::Lt(cos_eye, hn::Zero(d));
-      n = {hn::IfThenElse(away, hn::Neg(n.x), n.x), hn::IfThenElse(away, hn::Neg(n.y), n.y),
-           hn::IfThenElse(away, hn::Neg(n.z), n.z)};
-      cos_eye = hn::Abs(cos_eye);
-    }
+    const View view = view_of(surface, position, load(points.normal, i));
     Vec3 diffuse = splat(surface.ambient);
     Vec3 highlight = splat(glm::vec3(0.0f));
     for (std::size_t k = 0; k < surface.lights.size(); ++k) {
       const PreparedLight& light = lights.at(k);
       const Arrival in = arrival(light, position);
-      const Vec cos_in = dot(n, in.to_light);
+      const Vec cos_in = dot(view.normal, in.to_light);
       const auto lit = hn::Gt(cos_in, hn::Zero(d));
       if (hn::AllFalse(d, lit)) continue;
       const Vec arriving = hn::IfThenElseZero(lit, hn::Mul(cos_in, in.strength));
       diffuse = mul_add(arriving, splat(light.colour), diffuse);
       if (shiny.none) continue;
-      const Vec cosine = highlight_cosine<kHalfVector>(cos_in, cos_eye, dot(in.to_light, to_eye));
+      const Vec cosine =
+          highlight_cosine<kHalfVector>(cos_in, view.cosine, dot(in.to_light, view.to_eye));
       const auto shines = hn::And(lit, hn::Gt(cosine, hn::Set(d, shiny.least_cosine)));
       if (hn::AllFalse(d, shines)) continue;
       const Vec power = fast_pow(d, hn::Min(cosine, hn::Set(d, 1.0f)), hn::Set(d, shiny.exponent));

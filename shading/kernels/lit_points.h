@@ -19,16 +19,18 @@ struct PointArrays {
   std::array<const float*, 3> colour{};  ///< null: white
 };
 
+/// Attribute `first` of a batch and the two after it.
+inline std::array<const float*, 3> three_arrays(const Batch& batch, int first) {
+  const auto i = static_cast<std::size_t>(first);
+  return {batch.attribute[i], batch.attribute[i + 1], batch.attribute[i + 2]};
+}
+
 /// The arrays of a batch whose rows are vertex rows.
 inline PointArrays point_arrays(const Batch& batch, const Surface& surface) {
-  const auto three = [&batch](int first) {
-    const auto i = static_cast<std::size_t>(first);
-    return std::array{batch.attribute[i], batch.attribute[i + 1], batch.attribute[i + 2]};
-  };
   PointArrays points;
-  points.position = three(vertex_row::kPosition);
-  points.normal = three(vertex_row::kNormal);
-  if (surface.vertex_colours) points.colour = three(vertex_row::kColour);
+  points.position = three_arrays(batch, vertex_row::kPosition);
+  points.normal = three_arrays(batch, vertex_row::kNormal);
+  if (surface.vertex_colours) points.colour = three_arrays(batch, vertex_row::kColour);
   return points;
 }
 

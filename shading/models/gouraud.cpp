@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "shading/kernels/finish-inl.h"
@@ -21,12 +22,8 @@ namespace HWY_NAMESPACE {
 void shade_gouraud(const Batch& batch, LinearRgba* out) {
   const Surface& surface = *static_cast<const Surface*>(batch.constants);
   const Finish finish(batch, surface, lit_row::kTexcoord, out);
-  const auto three = [&batch](int first) {
-    const auto i = static_cast<std::size_t>(first);
-    return std::array{batch.attribute[i], batch.attribute[i + 1], batch.attribute[i + 2]};
-  };
-  const std::array body = three(lit_row::kBody);
-  const std::array highlight = three(lit_row::kHighlight);
+  const std::array body = three_arrays(batch, lit_row::kBody);
+  const std::array highlight = three_arrays(batch, lit_row::kHighlight);
   const int step = static_cast<int>(hn::Lanes(Floats()));
   for (int i = 0; i < batch.size; i += step) finish(i, load(body, i), load(highlight, i));
 }

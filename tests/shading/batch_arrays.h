@@ -9,6 +9,7 @@
 
 #include "raster/base/simd.h"
 #include "raster/batch.h"
+#include "raster/image/image.h"
 #include "shading/surface.h"
 
 namespace kinescope {
@@ -58,5 +59,16 @@ class Random {
  private:
   std::mt19937 bits_;
 };
+
+/// A picture of random bytes, alpha too.
+template <class Pixel>
+Image<Pixel> noise(Random& random, int width, int height) {
+  Image<Pixel> picture(width, height);
+  for (Pixel& p : picture.pixels()) {
+    const auto byte = [&] { return static_cast<std::uint8_t>(random.below(256)); };
+    p.r = byte(), p.g = byte(), p.b = byte(), p.a = byte();
+  }
+  return picture;
+}
 
 }  // namespace kinescope

@@ -77,15 +77,6 @@ LitColour reference(const Surface& surface, const BatchArrays& arrays, int i, bo
   return light_point(surface, arrays.get3(vertex_row::kPosition, i), n, colour, half_vector);
 }
 
-Image<Srgb8> noise(Random& random, int width, int height) {
-  Image<Srgb8> picture(width, height);
-  for (Srgb8& p : picture.pixels()) {
-    const auto byte = [&] { return static_cast<std::uint8_t>(random.below(256)); };
-    p.r = byte(), p.g = byte(), p.b = byte(), p.a = byte();
-  }
-  return picture;
-}
-
 LinearRgba texel_of(const Surface& surface, const BatchArrays& arrays, int i) {
   if (surface.texture == nullptr) return {1, 1, 1, 1};
   const auto& g = arrays.gradient;
@@ -96,7 +87,7 @@ LinearRgba texel_of(const Surface& surface, const BatchArrays& arrays, int i) {
 
 TEST(Models, PhongAndBlinnEqualTheScalarLawOnEveryTarget) {
   Random random(3);
-  const Texture texture(noise(random, 33, 20));
+  const Texture texture(noise<Srgb8>(random, 33, 20));
   for (int scene = 0; scene < 40; ++scene) {
     const std::vector<Light> lights = some_lights(random, random.below(5));
     Surface surface = some_surface(random);
@@ -159,7 +150,7 @@ TEST(Models, HighlightsOfAllExponentsAreExact) {
 TEST(Models, AFragmentsColourDependsNeitherOnItsPlaceNorOnItsNeighbours) {
   Random random(4);
   const std::vector<Light> lights = some_lights(random, 3);
-  const Texture texture(noise(random, 64, 64));
+  const Texture texture(noise<Srgb8>(random, 64, 64));
   Surface surface = some_surface(random);
   surface.lights = lights;
   surface.texture = &texture;

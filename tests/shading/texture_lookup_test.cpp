@@ -14,15 +14,6 @@ namespace {
 
 constexpr int kU = vertex_row::kTexcoord;
 
-Image<Srgb8> noise(Random& random, int width, int height) {
-  Image<Srgb8> picture(width, height);
-  for (Srgb8& p : picture.pixels()) {
-    const auto byte = [&] { return static_cast<std::uint8_t>(random.below(256)); };
-    p.r = byte(), p.g = byte(), p.b = byte(), p.a = byte();
-  }
-  return picture;
-}
-
 struct Case {
   Case(int size_in, bool gradients_in) : size(size_in), gradients(gradients_in) {}
 
@@ -72,7 +63,7 @@ TEST(TextureLookup, AgreesWithTheScalarOneInEveryModeAndSize) {
     for (const Wrap wrap : {Wrap::kRepeat, Wrap::kMirror, Wrap::kClamp}) {
       for (const Filter filter : {Filter::kNearest, Filter::kBilinear, Filter::kTrilinear}) {
         const Wrap wrap_v = static_cast<Wrap>(random.below(3));
-        const Texture texture(noise(random, width, height), filter, wrap, wrap_v);
+        const Texture texture(noise<Srgb8>(random, width, height), filter, wrap, wrap_v);
         for (const int size : {1, 5, 8, 17, 256}) {
           Case c(size, size != 17);
           fill(c, random, texture);
@@ -85,7 +76,7 @@ TEST(TextureLookup, AgreesWithTheScalarOneInEveryModeAndSize) {
 
 TEST(TextureLookup, MagnifiedAndUniformFootprintsAgree) {
   Random random(2);
-  const Texture texture(noise(random, 128, 64));
+  const Texture texture(noise<Srgb8>(random, 128, 64));
   for (const float texels : {0.01f, 1.0f, 1.5f, 2.0f, 7.9f, 8.1f, 64.0f, 1000.0f}) {
     Case c(Batch::kMaxSize, true);
     fill(c, random, texture);

@@ -14,15 +14,6 @@ namespace {
 
 constexpr Wrap kWraps[] = {Wrap::kRepeat, Wrap::kMirror, Wrap::kClamp};
 
-Image<Linear8> noise(Random& random, int width, int height) {
-  Image<Linear8> picture(width, height);
-  for (Linear8& p : picture.pixels()) {
-    const auto byte = [&] { return static_cast<std::uint8_t>(random.below(256)); };
-    p.r = byte(), p.g = byte(), p.b = byte(), p.a = byte();
-  }
-  return picture;
-}
-
 /// The texel that stands at column (or row) i of the plane that the wrap mode fills with pictures.
 int folded(int i, int size, Wrap wrap) {
   if (wrap == Wrap::kClamp) return std::clamp(i, 0, size - 1);
@@ -71,7 +62,7 @@ void at_many_places(const Check& check) {
   for (const auto& [width, height] : {std::pair{16, 8}, {7, 5}, {1, 1}, {1, 6}, {3, 1}, {2, 2}}) {
     for (const Wrap wrap_u : kWraps) {
       for (const Wrap wrap_v : kWraps) {
-        Texture texture(noise(random, width, height), Filter::kTrilinear, wrap_u, wrap_v);
+        Texture texture(noise<Linear8>(random, width, height), Filter::kTrilinear, wrap_u, wrap_v);
         for (int i = 0; i < 200; ++i) {
           check(texture, random.uniform(-2.5f, 2.5f), random.uniform(-2.5f, 2.5f), random);
         }
@@ -137,7 +128,7 @@ TEST(TextureSample, RowZeroIsTheTop) {
 
 TEST(TextureSample, RepeatHasNoGapAtItsEdge) {
   Random random(2);
-  const Texture texture(noise(random, 8, 8), Filter::kBilinear);
+  const Texture texture(noise<Linear8>(random, 8, 8), Filter::kBilinear);
   for (int i = 0; i < 100; ++i) {
     const float v = random.uniform(0, 1);
     const LinearRgba left = texture.sample(-1e-6f, v, 0), right = texture.sample(1e-6f, v, 0);

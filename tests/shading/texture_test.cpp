@@ -11,15 +11,6 @@
 namespace kinescope {
 namespace {
 
-Image<Linear8> noise(Random& random, int width, int height) {
-  Image<Linear8> picture(width, height);
-  for (Linear8& p : picture.pixels()) {
-    const auto byte = [&] { return static_cast<std::uint8_t>(random.below(256)); };
-    p.r = byte(), p.g = byte(), p.b = byte(), p.a = byte();
-  }
-  return picture;
-}
-
 /// How much of [i, i + 1) of `from` cells lies in [j, j + 1) of `to` equal cells over the same
 /// line.
 double overlap(int i, int from, int j, int to) {
@@ -59,7 +50,7 @@ TEST(Texture, LevelsHalveDownToOneTexel) {
 TEST(Texture, EachLevelIsTheAreaMeanOfTheOneAbove) {
   Random random(1);
   for (const auto& [width, height] : {std::pair{8, 8}, {7, 7}, {13, 6}, {1, 9}, {5, 1}, {31, 33}}) {
-    const Texture texture(noise(random, width, height));
+    const Texture texture(noise<Linear8>(random, width, height));
     for (int level = 1; level < texture.levels(); ++level) {
       const Image<Texel> above = texture.level(level - 1), here = texture.level(level);
       for (int y = 0; y < here.height(); ++y) {
@@ -77,7 +68,7 @@ TEST(Texture, EachLevelIsTheAreaMeanOfTheOneAbove) {
 TEST(Texture, TheLastTexelIsTheMeanOfThePicture) {
   Random random(2);
   for (const auto& [width, height] : {std::pair{64, 64}, {37, 53}, {100, 3}}) {
-    const Texture texture(noise(random, width, height));
+    const Texture texture(noise<Linear8>(random, width, height));
     const Image<Texel> picture = texture.level(0);
     const Texel last = texture.level(texture.levels() - 1).at(0, 0);
     // Each level rounds by at most a half.
@@ -124,7 +115,7 @@ TEST(Texture, KnowsWhetherItHasAlpha) {
 
 TEST(Texture, LevelsArePaddedByTheirOwnFirstRowAndColumn) {
   Random random(3);
-  const Texture texture(noise(random, 11, 6));
+  const Texture texture(noise<Linear8>(random, 11, 6));
   for (int i = 0; i < texture.levels(); ++i) {
     const Texture::Level level = texture.view(i);
     for (int y = 0; y <= level.height(); ++y) {
@@ -137,7 +128,7 @@ TEST(Texture, LevelsArePaddedByTheirOwnFirstRowAndColumn) {
 
 TEST(Texture, CopiesAndMovesKeepTheirTexels) {
   Random random(4);
-  Texture texture(noise(random, 9, 9));
+  Texture texture(noise<Linear8>(random, 9, 9));
   const Image<Texel> second = texture.level(1);
   const Texture copy = texture;
   const Texture moved = std::move(texture);
