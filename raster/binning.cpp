@@ -55,8 +55,8 @@ bool bin_triangle(const SnappedTriangle& t, std::uint32_t id, std::span<const Sa
   const PixelRect box = pixel_box(t, pattern, grid);
   if (box.empty()) return false;
   const TriangleRecord record = record_of(t, id, box);
-  const int column0 = box.x0 / grid.tile_width, column1 = (box.x1 - 1) / grid.tile_width;
-  const int row0 = box.y0 / grid.tile_height, row1 = (box.y1 - 1) / grid.tile_height;
+  const int column0 = grid.column_of(box.x0), column1 = grid.column_of(box.x1 - 1);
+  const int row0 = grid.row_of(box.y0), row1 = grid.row_of(box.y1 - 1);
   const bool several = column0 != column1 || row0 != row1;
   for (int row = row0; row <= row1; ++row) {
     for (int column = column0; column <= column1; ++column) {

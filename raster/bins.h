@@ -21,6 +21,16 @@ struct TriangleRecord {
 };
 static_assert(sizeof(TriangleRecord) <= 64);
 
+/// Triangles of middle size as structure of arrays, as CulledTriangles holds them.
+struct MediumChunk {
+  static constexpr std::size_t kCapacity = 24;
+  std::array<std::array<std::int32_t, kCapacity>, 3> x, y;
+  std::array<std::array<float, kCapacity>, 3> z;
+  std::array<std::uint32_t, kCapacity> id;
+  MediumChunk* next;
+  int size;
+};
+
 struct RecordChunk {
   static constexpr int kCapacity = 15;
   std::array<TriangleRecord, kCapacity> records;
@@ -68,12 +78,16 @@ struct ChunkList {
 
   /// The last chunk, with room for at least `room` more.
   Chunk& tail(ChunkPool<Chunk>& pool, int room = 1) {
-    if (last == nullptr || last->size + room > Chunk::kCapacity) {
-      Chunk* chunk = pool.take();
-      (last == nullptr ? first : last->next) = chunk;
-      last = chunk;
-    }
+    if (last == nullptr || last->size + room > static_cast<int>(Chunk::kCapacity)) [[unlikely]]
+      grow(pool);
     return *last;
+  }
+
+ private:
+  [[gnu::noinline]] void grow(ChunkPool<Chunk>& pool) {
+    Chunk* const chunk = pool.take();
+    (last == nullptr ? first : last->next) = chunk;
+    last = chunk;
   }
 };
 
@@ -81,14 +95,18 @@ struct ChunkList {
 /// and of equals the one submitted first, the order in which bins are drawn does not matter.
 struct Bins {
   std::vector<ChunkList<RecordChunk>> records;
+  std::vector<ChunkList<MediumChunk>> medium;
   std::vector<ChunkList<FragmentChunk>> fragments;
   ChunkPool<RecordChunk> record_pool;
+  ChunkPool<MediumChunk> medium_pool;
   ChunkPool<FragmentChunk> fragment_pool;
 
   void clear(int tiles) {
     records.assign(static_cast<std::size_t>(tiles), {});
+    medium.assign(static_cast<std::size_t>(tiles), {});
     fragments.assign(static_cast<std::size_t>(tiles), {});
     record_pool.take_all_back();
+    medium_pool.take_all_back();
     fragment_pool.take_all_back();
   }
 };

@@ -16,6 +16,7 @@ struct TileGrid {
   int width = 0, height = 0;              ///< of the target
   int tile_width = 64, tile_height = 64;  ///< multiples of 8, at most kMaxTile
   int columns = 0, rows = 0;
+  std::uint64_t per_column = 0, per_row = 0;  ///< 2^24 / side, rounded up
 
   /// Within a tile of this size an edge that crosses it fits 32 bits (see kernels/spans.cpp).
   static constexpr int kMaxTile = 64;
@@ -27,8 +28,16 @@ struct TileGrid {
         tile_width(tile_w),
         tile_height(tile_h),
         columns((w + tile_w - 1) / tile_w),
-        rows((h + tile_h - 1) / tile_h) {}
+        rows((h + tile_h - 1) / tile_h),
+        per_column(((1u << 24) + static_cast<unsigned>(tile_w) - 1) /
+                   static_cast<unsigned>(tile_w)),
+        per_row(((1u << 24) + static_cast<unsigned>(tile_h) - 1) / static_cast<unsigned>(tile_h)) {}
 
+  /// Division by multiplication: exact below 2^18 pixels.
+  int column_of(int x) const {
+    return static_cast<int>((static_cast<unsigned>(x) * per_column) >> 24);
+  }
+  int row_of(int y) const { return static_cast<int>((static_cast<unsigned>(y) * per_row) >> 24); }
   int count() const { return columns * rows; }
   PixelRect rect(int tile) const {
     const int x = tile % columns * tile_width;

@@ -164,38 +164,57 @@ HWY_INLINE void draw_in_tile(const Group& g, std::span<const SampleOffset> patte
   }
 }
 
-/// A group across several tiles: fragment by fragment.
-HWY_NOINLINE void draw_across_tiles(const Group& g, std::span<const SampleOffset> pattern,
-                                    const TileGrid& grid, Bins& bins) {
+/// Fragments of several tiles, on their way to the bins.
+struct MixedFragments {
+  static constexpr int kCapacity = 1024;
+  alignas(64) std::array<std::uint32_t, kCapacity> tile, place, id;
+  alignas(64) std::array<float, kCapacity> depth;
+  int size = 0;
+};
+
+HWY_NOINLINE void sort_into_bins(MixedFragments& from, Bins& bins) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(from.size); ++i) {
+    FragmentChunk& chunk = bins.fragments[from.tile[i]].tail(bins.fragment_pool);
+    const auto n = static_cast<std::size_t>(chunk.size++);
+    chunk.place[n] = from.place[i];
+    chunk.depth[n] = from.depth[i];
+    chunk.id[n] = from.id[i];
+  }
+  from.size = 0;
+}
+
+/// A group across several tiles.
+HWY_INLINE void draw_across_tiles(const Group& g, std::span<const SampleOffset> pattern,
+                                  const TileGrid& grid, MixedFragments& out, Bins& bins) {
   const F f;
   const I i;
   const U u;
-  constexpr std::size_t kLanes = 8;
-  alignas(32) std::array<std::int32_t, kLanes> xs, ys;
-  alignas(32) std::array<float, kLanes> zs;
-  alignas(32) std::array<std::uint32_t, kLanes> ids;
-  hn::Store(g.id, u, ids.data());
+  const int lanes = static_cast<int>(hn::Lanes(i));
+  const VI tile_width = hn::Set(i, grid.tile_width), tile_height = hn::Set(i, grid.tile_height);
+  const VI columns = hn::Set(i, grid.columns);
+  const VF per_column = hn::Set(f, 1.0f / static_cast<float>(grid.tile_width));
+  const VF per_row = hn::Set(f, 1.0f / static_cast<float>(grid.tile_height));
+  // A pixel's centre is at least half a pixel from a tile's edge: more than the rounding.
+  const auto divide = [&](VI pixel, VF per) HWY_ATTR {
+    const VF centre = hn::Add(hn::ConvertTo(f, pixel), hn::Set(f, 0.5f));
+    return hn::ConvertTo(i, hn::Mul(centre, per));
+  };
   for (std::size_t s = 0; s < pattern.size(); ++s) {
+    const VI plane = hn::Set(i, static_cast<int>(s) * grid.tile_width * grid.tile_height);
     draw_sample(g, pattern[s], [&](auto covered, VI x, VI y, VF z) HWY_ATTR {
-      hn::Store(x, i, xs.data());
-      hn::Store(y, i, ys.data());
-      hn::Store(z, f, zs.data());
-      alignas(8) std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(i, covered, bits);
-      for (unsigned left = bits[0]; left != 0; left &= left - 1) {
-        const auto k = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
-        const int column = xs[k] / grid.tile_width, row = ys[k] / grid.tile_height;
-        const int place = static_cast<int>(s) * grid.tile_width * grid.tile_height +
-                          (ys[k] - row * grid.tile_height) * grid.tile_width + xs[k] -
-                          column * grid.tile_width;
-        FragmentChunk& chunk =
-            bins.fragments[static_cast<std::size_t>(row * grid.columns + column)].tail(
-                bins.fragment_pool);
-        const auto n = static_cast<std::size_t>(chunk.size++);
-        chunk.place[n] = static_cast<std::uint32_t>(place);
-        chunk.depth[n] = zs[k];
-        chunk.id[n] = ids[k];
-      }
+      const VI column = divide(x, per_column), row = divide(y, per_row);
+      const VI tile = hn::Add(hn::Mul(row, columns), column);
+      const VI in_x = hn::Sub(x, hn::Mul(column, tile_width));
+      const VI in_y = hn::Sub(y, hn::Mul(row, tile_height));
+      const VI place = hn::Add(hn::Add(hn::Mul(in_y, tile_width), in_x), plane);
+      const auto n = static_cast<std::size_t>(out.size);
+      const auto lanes_covered = hn::RebindMask(u, covered);
+      hn::StoreU(hn::Compress(hn::BitCast(u, tile), lanes_covered), u, out.tile.data() + n);
+      hn::StoreU(hn::Compress(hn::BitCast(u, place), lanes_covered), u, out.place.data() + n);
+      hn::StoreU(hn::Compress(g.id, lanes_covered), u, out.id.data() + n);
+      hn::StoreU(hn::Compress(z, hn::RebindMask(f, covered)), f, out.depth.data() + n);
+      out.size += static_cast<int>(hn::CountTrue(i, covered));
+      if (out.size + lanes > MixedFragments::kCapacity) sort_into_bins(out, bins);
     });
   }
 }
@@ -207,7 +226,7 @@ HWY_INLINE int common_tile(const Group& g, const TileGrid& grid) {
   const int y0 = hn::GetLane(hn::MinOfLanes(i, g.y));
   const int x1 = hn::GetLane(hn::MaxOfLanes(i, g.x)) + g.columns - 1;
   const int y1 = hn::GetLane(hn::MaxOfLanes(i, g.y)) + g.rows - 1;
-  const int column = x0 / grid.tile_width, row = y0 / grid.tile_height;
+  const int column = grid.column_of(x0), row = grid.row_of(y0);
   const bool one = x1 < (column + 1) * grid.tile_width && y1 < (row + 1) * grid.tile_height;
   return one ? row * grid.columns + column : -1;
 }
@@ -229,6 +248,7 @@ void DrawSmallTriangles(CulledTriangles& t, std::uint32_t first_id,
     }
     t.small_triangle[k] = 0;
   }
+  MixedFragments mixed;
   for (std::size_t k = 0; k < size; k += lanes) {
     const Group g = set_up(t, k, first_id, offsets_min_max);
     if (g.columns <= 0 || g.rows <= 0) continue;
@@ -236,9 +256,10 @@ void DrawSmallTriangles(CulledTriangles& t, std::uint32_t first_id,
     if (tile >= 0) {
       draw_in_tile(g, pattern, grid, tile, bins);
     } else {
-      draw_across_tiles(g, pattern, grid, bins);
+      draw_across_tiles(g, pattern, grid, mixed, bins);
     }
   }
+  sort_into_bins(mixed, bins);
 }
 
 }  // namespace kinescope::HWY_NAMESPACE
