@@ -7,6 +7,8 @@
 namespace kinescope {
 namespace {
 
+constexpr double kLeastWeight = 1e-9;
+
 /// A normal distribution's share below z standard deviations.
 double normal_below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
@@ -48,7 +50,7 @@ Profile profile_down(double sigma, double pitch, bool whole) {
 
 AxisWeights spot_weights(int cells, int pixels, double sigma, bool swept) {
   const double pitch = static_cast<double>(cells) / pixels;
-  sigma = std::max(sigma, 1e-3);
+  sigma = std::max(sigma, 1e-9);
   const Profile profile =
       swept ? Profile{sigma, 1, pitch} : profile_down(sigma, pitch, pixels % cells == 0);
   AxisWeights axis;
@@ -62,7 +64,8 @@ AxisWeights spot_weights(int cells, int pixels, double sigma, bool swept) {
         std::clamp(static_cast<int>(std::ceil(centre - profile.radius())), 0, cells - axis.taps);
     axis.start[static_cast<std::size_t>(p)] = first;
     for (int t = 0; t < axis.taps; ++t) {
-      const double weight = std::max(0.0, profile.at(centre - (first + t)));
+      double weight = profile.at(centre - (first + t));
+      if (weight < kLeastWeight) weight = 0;
       exact.push_back(weight);
       of_cell[static_cast<std::size_t>(first + t)] += weight * pitch;
     }

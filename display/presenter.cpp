@@ -23,6 +23,14 @@ bool is_set(const char* variable) {
   return value != nullptr && *value != '\0';
 }
 
+/// SDL's drivers that draw into memory alone.
+bool draws_nowhere(const char* driver) {
+  return driver != nullptr &&
+         (std::strcmp(driver, "dummy") == 0 || std::strcmp(driver, "offscreen") == 0);
+}
+
+bool wants_no_screen() { return draws_nowhere(std::getenv("SDL_VIDEODRIVER")); }
+
 MouseButton button_of(Uint8 button) {
   switch (button) {
     case SDL_BUTTON_LEFT:
@@ -106,12 +114,7 @@ struct Presenter::State {
 };
 
 bool Presenter::available() {
-  const char* driver = std::getenv("SDL_VIDEODRIVER");
-  if (driver != nullptr &&
-      (std::strcmp(driver, "dummy") == 0 || std::strcmp(driver, "offscreen") == 0)) {
-    return true;
-  }
-  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+  return wants_no_screen() || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
 }
 
 Presenter::Presenter(const std::string& title, int width, int height) {
@@ -123,6 +126,11 @@ Presenter::Presenter(const std::string& title, int width, int height) {
   SDL_SetMainReady();
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
   state_ = std::make_unique<State>();
+  // Where no display answers, SDL falls back to a window that nobody sees.
+  if (draws_nowhere(SDL_GetCurrentVideoDriver()) && !wants_no_screen()) {
+    SDL_SetError("no display answers");
+    fail("no window can be opened");
+  }
   state_->window = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                                     width, height, SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
   if (state_->window == nullptr) fail("no window can be opened");

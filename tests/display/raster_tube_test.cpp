@@ -3,68 +3,349 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
-#include "display/decay.h"
+#include "raster/base/error.h"
+#include "raster/base/simd.h"
+#include "tests/display/tube_fixtures.h"
 
 namespace kinescope {
 namespace {
 
-/// 12x8 pixels in 20x11 clocks, 60 frames a second: every interval is there, and a line lasts long
-/// enough for a phosphor to fade within it.
-VideoMode tiny_mode(bool interlaced = false) {
-  VideoMode mode;
-  mode.name = "tiny";
-  mode.horizontal = {12, 2, 3, 3};
-  mode.vertical = {8, 1, 1, 1};
-  mode.interlaced = interlaced;
-  mode.pixel_clock_hz = 20 * 11 * 60;
-  return mode;
-}
+constexpr std::uint32_t kWhite = 0xffffff;
 
-FrameBuffer white_buffer(const VideoMode& mode) {
-  FrameBuffer buffer(mode.horizontal.active, mode.vertical.active, PixelFormat::kXrgb8888);
-  for (int y = 0; y < buffer.height(); ++y) {
-    for (int x = 0; x < buffer.width(); ++x) {
-      for (int page = 0; page < buffer.pages(); ++page) buffer.set_pixel(page, x, y, 0xffffff);
-    }
-  }
-  return buffer;
-}
-
-TEST(RasterTube, SmallSteadyWhiteIsOneInBothScans) {
-  for (const bool interlaced : {false, true}) {
-    const VideoMode mode = tiny_mode(interlaced);
-    FrameBuffer buffer = white_buffer(mode);
-    RasterTube tube({mode, "P31"}, 24, 16);
-    Workers workers(1);
-    tube.expose(buffer, 30 * mode.frame_period(), workers);
-    double sum = 0;
-    for (const LinearRgb& p : tube.expose(buffer, 31 * mode.frame_period(), workers).pixels()) {
-      sum += p.g;
-    }
-    EXPECT_NEAR(sum / (24 * 16), 1.0, 1e-5);
-  }
-}
-
-double mean_green(const Image<LinearRgb>& picture) {
-  double sum = 0;
-  for (const LinearRgb& p : picture.pixels()) sum += p.g;
-  return sum / static_cast<double>(picture.pixels().size());
+Seconds at_clock(const VideoMode& mode, double clock) {
+  return Seconds(clock / mode.pixel_clock_hz);
 }
 
 TEST(RasterTube, SteadyWhiteIsOne) {
   const VideoMode mode = parse_mode("640x480@60");
-  FrameBuffer buffer = white_buffer(mode);
+  FrameBuffer buffer = buffer_for(mode);
+  fill(buffer, 0, kWhite);
   RasterTube tube({mode}, 320, 240);
   Workers workers(2);
   const Seconds frame = mode.frame_period();
-  for (int n = 1; n <= 10; ++n) tube.expose(buffer, n * frame, workers);
-  const Image<LinearRgb>& picture = tube.expose(buffer, 11 * frame, workers);
-  EXPECT_NEAR(mean_green(picture), 1.0, 1e-4);
-  EXPECT_NEAR(picture.at(160, 120).r, 1.0, 1e-3);
-  EXPECT_NEAR(picture.at(160, 120).b, 1.0, 1e-3);
+  for (int n = 1; n <= 12; ++n) tube.expose(buffer, n * frame, workers);
+  LightSum sum;
+  const Image<LinearRgb>& picture = tube.expose(buffer, 13 * frame, workers);
+  sum.add(picture);
+  EXPECT_NEAR(sum.mean(), 1.0, 1e-5);
+  for (int y = 5; y < 235; ++y) {
+    for (const int x : {5, 160, 314}) {
+      const LinearRgb p = picture.at(x, y);
+      ASSERT_NEAR(p.r, 1, 1e-3) << x << "," << y;
+      ASSERT_NEAR(p.g, 1, 1e-3) << x << "," << y;
+      ASSERT_NEAR(p.b, 1, 1e-3) << x << "," << y;
+    }
+  }
+}
+
+TEST(RasterTube, SteadyWhiteIsOneFromAnyPhaseInEveryScanAndPhosphor) {
+  Workers workers(1);
+  for (const bool interlaced : {false, true}) {
+    for (const char* phosphor : {"P22", "P1", "P4", "P31"}) {
+      const VideoMode mode = tiny_mode(interlaced);
+      FrameBuffer buffer = buffer_for(mode);
+      fill(buffer, 0, kWhite);
+      RasterTube tube = cell_tube(mode, phosphor);
+      const double frame = 220;
+      tube.expose(buffer, at_clock(mode, 60 * frame + 77.3), workers);
+      for (const LinearRgb& p :
+           tube.expose(buffer, at_clock(mode, 61 * frame + 77.3), workers).pixels()) {
+        ASSERT_NEAR(std::max({p.r, p.g, p.b}), 1, 2e-6) << phosphor << " " << interlaced;
+      }
+    }
+  }
+}
+
+/// Total light of [0, 1 s) in the given number of exposures; the picture changes at every retrace.
+LightSum light_in_slices(const VideoMode& mode, const TubeSettings& settings, int slices, int width,
+                         int height) {
+  FrameBuffer buffer = buffer_for(mode, 2);
+  fill_random(buffer, 0, 1);
+  fill_random(buffer, 1, 2);
+  buffer.flip_at_retrace(1);
+  RasterTube tube(settings, width, height);
+  Workers workers(1);
+  LightSum sum;
+  for (int i = 1; i <= slices; ++i) {
+    sum.add(tube.expose(buffer, Seconds(static_cast<double>(i) / slices), workers));
+  }
+  return sum;
+}
+
+void expect_equal_light(const LightSum& whole, const LightSum& slices, double tolerance,
+                        const std::string& what) {
+  for (std::size_t i = 0; i < whole.values().size(); ++i) {
+    const double want = whole.values()[i];
+    ASSERT_NEAR(slices.values()[i], want, tolerance * std::abs(want) + 1e-9) << what << " " << i;
+  }
+}
+
+TEST(RasterTube, OneSecondIsTheSumOfItsSlices) {
+  for (const bool interlaced : {false, true}) {
+    for (const char* phosphor : {"P22", "P1", "P31"}) {
+      const VideoMode mode = tiny_mode(interlaced);
+      const TubeSettings settings{mode, phosphor};
+      const LightSum whole = light_in_slices(mode, settings, 1, 17, 13);
+      for (const int slices : {7, 60, 1000}) {
+        expect_equal_light(whole, light_in_slices(mode, settings, slices, 17, 13), 1e-5,
+                           std::string(phosphor) + " in " + std::to_string(slices));
+      }
+    }
+  }
+}
+
+TEST(RasterTube, OneSecondOfATelevisionIsTheSumOfItsSlices) {
+  VideoMode mode = parse_mode("ntsc");
+  mode.horizontal = {45, 2, 5, 6};
+  mode.vertical = {32, 1, 2, 2};
+  mode.pixel_clock_hz = 58 * 37 * 30;
+  const TubeSettings settings{mode};
+  const LightSum whole = light_in_slices(mode, settings, 1, 64, 48);
+  for (const int slices : {7, 60, 1000}) {
+    expect_equal_light(whole, light_in_slices(mode, settings, slices, 64, 48), 1e-5,
+                       std::to_string(slices));
+  }
+}
+
+TEST(RasterTube, TenThousandSlicesOfAFrameAddUp) {
+  for (const char* phosphor : {"P22", "P1"}) {
+    const VideoMode mode = tiny_mode();
+    FrameBuffer buffer = buffer_for(mode);
+    fill_random(buffer, 0, 5);
+    RasterTube tube = cell_tube(mode, phosphor);
+    Workers workers(1);
+    const double begin = 3 * 220 + 31.7;
+    tube.expose(buffer, at_clock(mode, begin), workers);
+    RasterTube sliced = tube;
+    LightSum whole, sum;
+    whole.add(tube.expose(buffer, at_clock(mode, begin + 220), workers));
+    for (int i = 1; i <= 10000; ++i) {
+      sum.add(sliced.expose(buffer, at_clock(mode, begin + 220 * i / 10000.0), workers));
+    }
+    expect_equal_light(whole, sum, 1e-5, phosphor);
+  }
+}
+
+TEST(RasterTube, LongAndShortExposuresAreTaken) {
+  const VideoMode mode = tiny_mode();
+  FrameBuffer buffer = buffer_for(mode);
+  fill(buffer, 0, kWhite);
+  RasterTube tube = cell_tube(mode, "P31");
+  Workers workers(1);
+  LightSum long_one, short_one, empty;
+  long_one.add(tube.expose(buffer, Seconds(10), workers));
+  EXPECT_NEAR(long_one.values()[1], 600, 1);  // 600 frames of white, less what still glows
+  short_one.add(tube.expose(buffer, Seconds(10) + microseconds(1), workers));
+  EXPECT_GT(short_one.values()[1], 0);
+  EXPECT_LT(short_one.values()[1], 1e-2);
+  empty.add(tube.expose(buffer, Seconds(10) + microseconds(1), workers));
+  EXPECT_EQ(empty.mean(), 0);
+}
+
+TEST(RasterTube, AnExposureWithinALineLightsOnlyTheBeamsPath) {
+  const VideoMode mode = tiny_mode();
+  FrameBuffer buffer = buffer_for(mode);
+  fill(buffer, 0, kWhite);
+  RasterTube tube = cell_tube(mode, "P31");
+  Workers workers(1);
+  // The beam is let in when it is at column 3 of line 5: nothing has been written before.
+  FrameBuffer black = buffer_for(mode);
+  const double line = 5 * 20;
+  tube.expose(black, at_clock(mode, line + 3), workers);
+  const Image<LinearRgb>& picture = tube.expose(buffer, at_clock(mode, line + 7.5), workers);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 12; ++x) {
+      const bool passed = y == 5 && x >= 3 && x <= 7;
+      EXPECT_EQ(picture.at(x, y).g > 0, passed) << x << "," << y;
+    }
+  }
+  // The first pixel written has shone longest; the last one was on for half its dwell.
+  EXPECT_GT(picture.at(3, 5).g, picture.at(6, 5).g);
+  EXPECT_GT(picture.at(6, 5).g, picture.at(7, 5).g);
+
+  const float tail_before = picture.at(3, 5).g;
+  const Image<LinearRgb>& next = tube.expose(buffer, at_clock(mode, line + 9), workers);
+  EXPECT_GT(next.at(3, 5).g, 0);  // its tail
+  EXPECT_LT(next.at(3, 5).g, tail_before);
+  EXPECT_GT(next.at(8, 5).g, 0);
+  EXPECT_EQ(next.at(9, 5).g, 0);
+  EXPECT_EQ(next.at(3, 6).g, 0);
+}
+
+TEST(RasterTube, FieldsOfInterlaceLightEverySecondLine) {
+  const VideoMode mode = tiny_mode(true);
+  FrameBuffer buffer = buffer_for(mode);
+  fill(buffer, 0, kWhite);
+  RasterTube tube = cell_tube(mode, "P4");
+  Workers workers(1);
+  const Image<LinearRgb>& first = tube.expose(buffer, mode.field_period(), workers);
+  for (int y = 0; y < 8; ++y) EXPECT_EQ(first.at(6, y).b > 0.5f, y % 2 == 0) << y;
+  const Image<LinearRgb>& second = tube.expose(buffer, mode.frame_period(), workers);
+  for (int y = 0; y < 8; ++y) EXPECT_EQ(second.at(6, y).b > 0.5f, y % 2 == 1) << y;
+}
+
+TEST(RasterTube, PagesFlipAtRetraceAndTearWhenForced) {
+  const VideoMode mode = tiny_mode();
+  Workers workers(1);
+  FrameBuffer buffer = buffer_for(mode);
+  fill(buffer, 1, kWhite);
+  RasterTube tube = cell_tube(mode, "P4");
+  buffer.flip_at_retrace(1);
+  LightSum dark;
+  dark.add(tube.expose(buffer, mode.frame_period(), workers));
+  EXPECT_EQ(dark.mean(), 0);
+  EXPECT_EQ(buffer.visible_page(), 1);
+  LightSum bright;
+  bright.add(tube.expose(buffer, 2 * mode.frame_period(), workers));
+  EXPECT_GT(bright.mean(), 0.5);
+
+  tube.reset();
+  buffer.flip_now(0);
+  tube.expose(buffer, at_clock(mode, 4 * 20), workers);
+  buffer.flip_now(1);
+  const Image<LinearRgb>& torn = tube.expose(buffer, mode.frame_period(), workers);
+  for (int y = 0; y < 8; ++y) EXPECT_EQ(torn.at(6, y).b > 0, y >= 4) << y;
+}
+
+TEST(RasterTube, TheTableChangesUnderTheBeam) {
+  const VideoMode mode = tiny_mode();
+  FrameBuffer buffer(12, 8, PixelFormat::kIndexed8);
+  buffer.set_colour(0, {255, 0, 0});
+  buffer.set_colour_at_line(3, 0, {0, 0, 255});
+  RasterTube tube = cell_tube(mode, "P22");
+  Workers workers(1);
+  const Image<LinearRgb>& picture = tube.expose(buffer, mode.frame_period(), workers);
+  for (int y = 0; y < 8; ++y) {
+    EXPECT_EQ(picture.at(5, y).r > picture.at(5, y).b, y < 3) << y;
+    EXPECT_EQ(picture.at(5, y).b > picture.at(5, y).r, y >= 3) << y;
+  }
+}
+
+TEST(RasterTube, ABufferSmallerThanTheModeLeavesTheRestDark) {
+  const VideoMode mode = tiny_mode();
+  FrameBuffer buffer(5, 3, PixelFormat::kXrgb8888);
+  fill(buffer, 0, kWhite);
+  RasterTube tube = cell_tube(mode, "P4");
+  Workers workers(1);
+  const Image<LinearRgb>& picture = tube.expose(buffer, mode.frame_period(), workers);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 12; ++x) EXPECT_EQ(picture.at(x, y).b > 0, x < 5 && y < 3);
+  }
+}
+
+TEST(RasterTube, GreysFollowTheGunsGamma) {
+  const VideoMode mode = tiny_mode();
+  FrameBuffer buffer = buffer_for(mode);
+  fill(buffer, 0, 0x808080);
+  Workers workers(1);
+  for (const char* phosphor : {"P22", "P4"}) {
+    RasterTube tube = cell_tube(mode, phosphor);
+    tube.expose(buffer, 30 * mode.frame_period(), workers);
+    const LinearRgb p = tube.expose(buffer, 31 * mode.frame_period(), workers).at(6, 4);
+    EXPECT_NEAR(std::max({p.r, p.g, p.b}), std::pow(128 / 255.0, 2.35), 1e-5) << phosphor;
+  }
+}
+
+TEST(RasterTube, PicturesDoNotDependOnThreads) {
+  const VideoMode mode = parse_mode("240p");
+  FrameBuffer buffer = buffer_for(mode);
+  fill_random(buffer, 0, 3);
+  std::vector<Image<LinearRgb>> pictures;
+  for (const int threads : {1, 2, 5}) {
+    RasterTube tube({mode}, 400, 300);
+    Workers workers(threads);
+    tube.expose(buffer, milliseconds(21), workers);
+    pictures.push_back(tube.expose(buffer, milliseconds(37.7), workers));
+  }
+  EXPECT_EQ(pictures[0], pictures[1]);
+  EXPECT_EQ(pictures[0], pictures[2]);
+}
+
+TEST(RasterTube, PicturesAgreeOnEveryInstructionSet) {
+  const VideoMode mode = tiny_mode();
+  FrameBuffer buffer = buffer_for(mode);
+  fill_random(buffer, 0, 3);
+  std::vector<LightSum> sums;
+  const std::string chosen = simd_target();
+  for (const std::string& target : simd_targets()) {
+    use_simd_target(target);
+    RasterTube tube({mode}, 31, 29);
+    Workers workers(1);
+    tube.expose(buffer, milliseconds(21), workers);
+    sums.emplace_back().add(tube.expose(buffer, milliseconds(30), workers));
+    expect_equal_light(sums[0], sums.back(), 1e-5, target);
+  }
+  use_simd_target("best");
+  EXPECT_EQ(simd_target(), chosen);
+}
+
+TEST(RasterTube, CopiesRepeatWhatTheOriginalDoes) {
+  const VideoMode mode = tiny_mode();
+  FrameBuffer buffer = buffer_for(mode);
+  fill_random(buffer, 0, 3);
+  RasterTube tube({mode, "P1"}, 20, 20);
+  Workers workers(1);
+  tube.expose(buffer, milliseconds(25), workers);
+  RasterTube copy = tube;
+  const Image<LinearRgb> a = tube.expose(buffer, milliseconds(30), workers);
+  EXPECT_EQ(copy.now(), Seconds(330 / mode.pixel_clock_hz));
+  EXPECT_EQ(copy.expose(buffer, milliseconds(30), workers), a);
+  RasterTube other({mode, "P1"}, 3, 3);
+  other = tube;
+  tube.reset();
+  EXPECT_EQ(tube.now(), Seconds(0));
+  const Image<LinearRgb> b = other.expose(buffer, milliseconds(40), workers);
+  EXPECT_EQ(copy.expose(buffer, milliseconds(40), workers), b);
+  RasterTube fresh({mode, "P1"}, 20, 20);
+  const Image<LinearRgb> first = fresh.expose(buffer, milliseconds(9), workers);
+  EXPECT_EQ(tube.expose(buffer, milliseconds(9), workers), first);
+}
+
+TEST(RasterTube, ResizingKeepsTheGlow) {
+  const VideoMode mode = tiny_mode();
+  FrameBuffer buffer = buffer_for(mode), black = buffer_for(mode);
+  fill(buffer, 0, kWhite);
+  RasterTube tube({mode, "P1"}, 20, 20);
+  Workers workers(1);
+  tube.expose(buffer, 20 * mode.frame_period(), workers);
+  RasterTube same = tube;
+  tube.resize(40, 30);
+  LightSum large, small;
+  const Image<LinearRgb>& picture = tube.expose(black, 21 * mode.frame_period(), workers);
+  EXPECT_EQ(picture.width(), 40);
+  EXPECT_EQ(picture.height(), 30);
+  large.add(picture);
+  small.add(same.expose(black, 21 * mode.frame_period(), workers));
+  EXPECT_NEAR(large.mean(), small.mean(), 1e-4 * small.mean());
+}
+
+TEST(RasterTube, APhotographAtOne4000thShowsAboutFourLines) {
+  // display-facts: at 1/4000 s about 3.9 lines of a 15.7 kHz set are lit.
+  const VideoMode mode = parse_mode("240p");
+  FrameBuffer buffer = buffer_for(mode), black = buffer_for(mode);
+  fill(buffer, 0, kWhite);
+  RasterTube tube({mode, "P4"}, 320, 240);
+  Workers workers(1);
+  tube.expose(black, milliseconds(6), workers);
+  const Image<LinearRgb>& photograph =
+      tube.expose(buffer, milliseconds(6) + Seconds(1.0 / 4000), workers);
+  double lines = 0;
+  for (int y = 0; y < 240; ++y) {
+    for (int x = 0; x < 320; ++x) lines += photograph.at(x, y).b > 0.05f ? 1.0 / 320 : 0;
+  }
+  EXPECT_NEAR(lines, 3.9, 0.9);
+}
+
+TEST(RasterTube, RefusesWhatIsNoTube) {
+  EXPECT_THROW(RasterTube({tiny_mode(), "P99"}, 8, 8), Error);
+  VideoMode broken = tiny_mode();
+  broken.horizontal.sync = 0;
+  EXPECT_THROW(RasterTube({broken}, 8, 8), Error);
 }
 
 }  // namespace
