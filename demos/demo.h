@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -83,8 +84,9 @@ struct DemoInfo {
   std::string_view name;     ///< as typed: "frame-buffer"
   std::string_view chapter;  ///< "11 Rendering"
   std::string_view summary;  ///< one line, without a full stop
-  std::unique_ptr<Demo> (*create)(const DemoSetup& setup) = nullptr;
-  double time_scale = 1;  ///< simulated seconds a second at the start
+  std::function<std::unique_ptr<Demo>(const DemoSetup& setup)> create;
+  double time_scale = 1;        ///< simulated seconds a second at the start
+  std::string_view mouse = {};  ///< what the mouse does, if anything: "drag to orbit"
 };
 
 }  // namespace kinescope

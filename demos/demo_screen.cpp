@@ -46,7 +46,7 @@ void DemoScreen::handle(const InputEvent& event) {
     dirty_ = true;
     return;
   }
-  if (is_mouse(event.kind) && show_panel_ && panel_mouse(event)) return;
+  if (is_mouse(event.kind) && show_panel_ && !show_help_ && panel_mouse(event)) return;
   if (event.kind == InputKind::kResize) {
     // While a window is dragged larger, only its latest size counts.
     std::erase_if(waiting_, [](const InputEvent& e) { return e.kind == InputKind::kResize; });
@@ -130,7 +130,7 @@ bool DemoScreen::tick(int frames_per_second) {
 void DemoScreen::compose(int frames_per_second) {
   frame_ = player_.picture();
   shown_rate_ = frames_per_second;
-  if (show_panel_) panel_.lay(info_, player_.demo(), *studio_, frame_);
+  if (show_panel_ && !show_help_) panel_.lay(info_, player_.demo(), *studio_, frame_);
   if (show_help_) help_.lay(info_, player_.demo(), *studio_, frame_);
   hud_.lay({std::string(info_.name), transport_.text(), frames_per_second, transport_.paused(),
             message_},

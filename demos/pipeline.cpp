@@ -126,8 +126,12 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<P
 }  // namespace
 
 DemoInfo pipeline_demo() {
-  return {"pipeline", "1 Displays and coordinates",
-          "One object in world, view, clip and device space, side by side", create};
+  return {"pipeline",
+          "1 Displays and coordinates",
+          "One object in world, view, clip and device space, side by side",
+          create,
+          1,
+          "drag or arrow keys to move the camera, wheel to go near"};
 }
 
 }  // namespace kinescope

@@ -128,8 +128,12 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<T
 }  // namespace
 
 DemoInfo teapot_demo() {
-  return {"teapot", "11 Rendering",
-          "The Utah teapot lit by three lamps, shaded five ways, on a VGA tube", create};
+  return {"teapot",
+          "11 Rendering",
+          "The Utah teapot lit by three lamps, shaded five ways, on a VGA tube",
+          create,
+          1,
+          "drag or arrow keys to orbit, wheel to go near"};
 }
 
 }  // namespace kinescope

@@ -16,6 +16,7 @@ struct Entry {
 
 std::vector<Entry> entries(const DemoInfo& info, const Demo& demo) {
   std::vector<Entry> list = {{{}, std::string(info.name)}};
+  if (!info.mouse.empty()) list.push_back({{"mouse"}, std::string(info.mouse)});
   for (const Knob& knob : demo.knobs()) list.push_back({knob.keys, knob.help});
   const std::vector<Entry> shared = {{{}, "time"},
                                      {{"Space"}, "pause and go on"},
