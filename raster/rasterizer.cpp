@@ -10,6 +10,7 @@
 #include "raster/fragment_batches.h"
 #include "raster/kernels/cull.h"
 #include "raster/kernels/gather.h"
+#include "raster/kernels/medium_triangles.h"
 #include "raster/kernels/small_triangles.h"
 #include "raster/kernels/spans.h"
 #include "raster/resolve.h"
@@ -97,8 +98,9 @@ void Rasterizer::Frame::bin_range(const TriangleRange& range, WorkerState& state
   const std::uint32_t first_id = calls.first_id[range.call];
   CulledTriangles& culled = state.culled;
   cull_triangles(call, range.first, range.count, pattern, grid, culled);
-  draw_small_triangles(culled, first_id, pattern, grid, state.bins);
-  state.stats.drawn += static_cast<std::uint64_t>(culled.small_size);
+  draw_small_triangles(culled.small, first_id, pattern, grid, state.bins);
+  bin_medium_triangles(culled.medium, first_id, grid, state.bins);
+  state.stats.drawn += static_cast<std::uint64_t>(culled.small.size + culled.medium.size);
   SnappedTriangle triangle;
   for (int i = 0; i < culled.large_size; ++i) {
     const std::uint32_t index = culled.large_triangle[static_cast<std::size_t>(i)];
@@ -118,6 +120,7 @@ void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash
       draw_records({chunk->records.data(), static_cast<std::size_t>(chunk->size)}, pattern,
                    state.tile);
     }
+    draw_medium_triangles(from.bins.medium[static_cast<std::size_t>(tile)], pattern, state.tile);
     merge_fragments(from.bins.fragments[static_cast<std::size_t>(tile)], state.tile);
   }
   if (want_hash) state.stats.visibility_hash += tile_hash(state.tile, target.width);

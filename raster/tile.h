@@ -8,7 +8,8 @@
 
 namespace kinescope {
 
-/// Planes, one a sample, of rows of tile_width; pixels beyond the target's edge stay clear.
+/// Planes, one a sample, of rows of tile_width; what lies beyond the target's edge is not looked
+/// at.
 struct TileBuffer {
   static constexpr std::uint32_t kNothing = 0xffffffffu;
 

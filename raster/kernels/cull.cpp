@@ -61,6 +61,28 @@ HWY_INLINE void append(D d, V v, M mask, hn::TFromD<D>* to) {
   hn::StoreU(hn::Compress(v, hn::RebindMask(d, mask)), d, to);
 }
 
+/// Appends some of the triangles, the front faces turned round.
+HWY_INLINE void append_turned(const Corner& a, const Corner& b, const Corner& c, hn::Mask<I> front,
+                              hn::Mask<I> chosen, VU triangle, CulledTriangles::Snapped& out) {
+  const F f;
+  const I i;
+  const U u;
+  if (hn::AllFalse(i, chosen)) return;
+  const auto n = static_cast<std::size_t>(out.size);
+  const auto front_f = hn::RebindMask(f, front);
+  append(i, a.x, chosen, out.x[0].data() + n);
+  append(i, a.y, chosen, out.y[0].data() + n);
+  append(f, a.z, chosen, out.z[0].data() + n);
+  append(i, hn::IfThenElse(front, c.x, b.x), chosen, out.x[1].data() + n);
+  append(i, hn::IfThenElse(front, c.y, b.y), chosen, out.y[1].data() + n);
+  append(f, hn::IfThenElse(front_f, c.z, b.z), chosen, out.z[1].data() + n);
+  append(i, hn::IfThenElse(front, b.x, c.x), chosen, out.x[2].data() + n);
+  append(i, hn::IfThenElse(front, b.y, c.y), chosen, out.y[2].data() + n);
+  append(f, hn::IfThenElse(front_f, b.z, c.z), chosen, out.z[2].data() + n);
+  append(u, triangle, chosen, out.triangle.data() + n);
+  out.size += static_cast<int>(hn::CountTrue(i, chosen));
+}
+
 HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits, VU v0, VU v1, VU v2,
                             std::uint32_t first, CulledTriangles& out) {
   const F f;
@@ -90,27 +112,17 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits, VU v
   // Small triangles lie within the target, so that their own edges bound every loop over them.
   const auto outside = hn::Or(hn::Or(hn::Lt(ex.first, zero), hn::Lt(ey.first, zero)),
                               hn::Or(hn::Gt(ex.end, width), hn::Gt(ey.end, height)));
-  const auto is_small = hn::AndNot(
-      outside, hn::And(keep, hn::Lt(extent, hn::Set(i, CulledTriangles::kSmallPx * 256))));
-  const auto is_large = hn::AndNot(is_small, keep);
+  const auto below = [&](int px) HWY_ATTR { return hn::Lt(extent, hn::Set(i, px * 256)); };
+  const auto is_small = hn::AndNot(outside, hn::And(keep, below(CulledTriangles::kSmallPx)));
+  const auto is_medium = hn::AndNot(is_small, hn::And(keep, below(CulledTriangles::kMediumPx)));
+  const auto is_large = hn::AndNot(below(CulledTriangles::kMediumPx), keep);
   const VU triangle = hn::Add(hn::Iota(u, 0), hn::Set(u, first));
   if (!hn::AllFalse(i, is_large)) {
     append(u, triangle, is_large, out.large_triangle.data() + out.large_size);
     out.large_size += static_cast<int>(hn::CountTrue(i, is_large));
   }
-  const int n = out.small_size;
-  const auto front_f = hn::RebindMask(f, front);
-  append(i, a.x, is_small, out.x[0].data() + n);
-  append(i, a.y, is_small, out.y[0].data() + n);
-  append(f, a.z, is_small, out.z[0].data() + n);
-  append(i, hn::IfThenElse(front, c.x, b.x), is_small, out.x[1].data() + n);
-  append(i, hn::IfThenElse(front, c.y, b.y), is_small, out.y[1].data() + n);
-  append(f, hn::IfThenElse(front_f, c.z, b.z), is_small, out.z[1].data() + n);
-  append(i, hn::IfThenElse(front, b.x, c.x), is_small, out.x[2].data() + n);
-  append(i, hn::IfThenElse(front, b.y, c.y), is_small, out.y[2].data() + n);
-  append(f, hn::IfThenElse(front_f, b.z, c.z), is_small, out.z[2].data() + n);
-  append(u, triangle, is_small, out.small_triangle.data() + n);
-  out.small_size = n + static_cast<int>(hn::CountTrue(i, is_small));
+  append_turned(a, b, c, front, is_small, triangle, out.small);
+  append_turned(a, b, c, front, is_medium, triangle, out.medium);
 }
 
 void CullTriangles(const DrawCall& call, const CullLimits& limits, std::uint32_t first,
@@ -151,8 +163,7 @@ void cull_triangles(const DrawCall& call, std::uint32_t first, std::uint32_t cou
     limits.least_y = std::min(limits.least_y, o.y.raw());
     limits.most_y = std::max(limits.most_y, o.y.raw());
   }
-  out.small_size = 0;
-  out.large_size = 0;
+  out.small.size = out.medium.size = out.large_size = 0;
   HWY_DYNAMIC_DISPATCH(CullTriangles)(call, limits, first, count, out);
 }
 

@@ -19,15 +19,18 @@ struct TriangleRange {
 
 /// Triangles that survived, up to one range of them.
 struct CulledTriangles {
+  /// Boxes of less than this many pixels, both ways, are small; then medium.
+  static constexpr int kSmallPx = 4, kMediumPx = 32;
   static constexpr std::size_t kCapacity = TriangleRange::kMaxCount + 16;
-  /// A box this large, in pixels either way, is the largest that counts as small.
-  static constexpr int kSmallPx = 16;
-
-  /// Small triangles within the target: raw Fixed24_8, turned to positive area; depths in [0, 1].
-  int small_size = 0;
-  alignas(64) std::array<std::array<std::int32_t, kCapacity>, 3> x, y;
-  alignas(64) std::array<std::array<float, kCapacity>, 3> z;
-  alignas(64) std::array<std::uint32_t, kCapacity> small_triangle;  ///< index in the call
+  /// Turned to positive area; raw Fixed24_8, depths in [0, 1], index in the call.
+  struct Snapped {
+    int size = 0;
+    alignas(64) std::array<std::array<std::int32_t, kCapacity>, 3> x, y;
+    alignas(64) std::array<std::array<float, kCapacity>, 3> z;
+    alignas(64) std::array<std::uint32_t, kCapacity> triangle;
+  };
+  Snapped small;  ///< these touch no pixel outside the target
+  Snapped medium;
 
   /// The others: index in the call. Those of more than 64 pixels are not culled by facing yet.
   int large_size = 0;

@@ -37,10 +37,11 @@ HWY_INLINE void gather_pixel(const TileBuffer& tile, std::size_t at, std::uint32
 }
 
 /// Several pixels, each of which shows one triangle or nothing at all of its samples.
-HWY_INLINE void append(hn::Vec<U> id, std::uint32_t xy, int samples, VisibleFragments& out) {
+HWY_INLINE void append(hn::Vec<U> id, hn::Mask<U> within, std::uint32_t xy, int samples,
+                       VisibleFragments& out) {
   const U u;
   const auto n = static_cast<std::size_t>(out.size);
-  const auto shown = hn::Ne(id, hn::Set(u, TileBuffer::kNothing));
+  const auto shown = hn::And(within, hn::Ne(id, hn::Set(u, TileBuffer::kNothing)));
   hn::StoreU(hn::Compress(id, shown), u, out.id.data() + n);
   hn::StoreU(hn::Compress(hn::Iota(u, xy), shown), u, out.xy.data() + n);
   const std::size_t count = hn::CountTrue(u, shown);
@@ -57,9 +58,9 @@ void Gather(const TileBuffer& tile, VisibleFragments& out) {
     const auto row = static_cast<std::size_t>(r) * static_cast<std::size_t>(tile.stride);
     const std::uint32_t xy = static_cast<std::uint32_t>(tile.rect.y0 + r) << 16 |
                              static_cast<std::uint32_t>(tile.rect.x0);
-    // Beyond the target's edge a row is empty up to the tile's.
     for (int x = 0; x < width; x += lanes) {
       const std::size_t at = row + static_cast<std::size_t>(x);
+      const auto within = hn::FirstN(u, static_cast<std::size_t>(width - x));
       const auto id = hn::Load(u, tile.id.data() + at);
       auto differ = hn::Zero(u);
       for (int s = 1; s < tile.samples; ++s) {
@@ -68,11 +69,11 @@ void Gather(const TileBuffer& tile, VisibleFragments& out) {
                             static_cast<std::size_t>(s) * static_cast<std::size_t>(tile.plane));
         differ = hn::Or(differ, hn::Xor(id, other));
       }
-      if (tile.samples == 1 || hn::AllTrue(u, hn::Eq(differ, hn::Zero(u)))) {
-        append(id, xy + static_cast<std::uint32_t>(x), tile.samples, out);
+      if (tile.samples == 1 || hn::AllFalse(u, hn::And(within, hn::Ne(differ, hn::Zero(u))))) {
+        append(id, within, xy + static_cast<std::uint32_t>(x), tile.samples, out);
         continue;
       }
-      for (int k = 0; k < lanes; ++k) {
+      for (int k = 0; k < std::min(lanes, width - x); ++k) {
         gather_pixel(tile, at + static_cast<std::size_t>(k), xy + static_cast<std::uint32_t>(x + k),
                      out);
       }

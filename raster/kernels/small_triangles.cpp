@@ -48,8 +48,8 @@ HWY_INLINE VF to_px(VI raw) {
 }
 
 /// The same operations as set_up_triangle's, in its order.
-HWY_INLINE void set_depth(const CulledTriangles& t, std::size_t k, VI x1, VI y1, VI x2, VI y2,
-                          Group& g) {
+HWY_INLINE void set_depth(const CulledTriangles::Snapped& t, std::size_t k, VI x1, VI y1, VI x2,
+                          VI y2, Group& g) {
   const F f;
   const VF z0 = hn::LoadU(f, t.z[0].data() + k);
   const VF z1 = hn::LoadU(f, t.z[1].data() + k);
@@ -67,7 +67,7 @@ HWY_INLINE void set_depth(const CulledTriangles& t, std::size_t k, VI x1, VI y1,
   g.farthest = hn::Max(hn::Max(z0, z1), z2);
 }
 
-HWY_INLINE Group set_up(const CulledTriangles& t, std::size_t k, std::uint32_t first_id,
+HWY_INLINE Group set_up(const CulledTriangles::Snapped& t, std::size_t k, std::uint32_t first_id,
                         const Fixed24_8* offsets_min_max) {
   const I i;
   const U u;
@@ -94,7 +94,7 @@ HWY_INLINE Group set_up(const CulledTriangles& t, std::size_t k, std::uint32_t f
   g.anchor_x = to_px(x0);
   g.anchor_y = to_px(y0);
   set_depth(t, k, hn::Sub(x1, x0), hn::Sub(y1, y0), hn::Sub(x2, x0), hn::Sub(y2, y0), g);
-  g.id = hn::Add(hn::LoadU(u, t.small_triangle.data() + k), hn::Set(u, first_id));
+  g.id = hn::Add(hn::LoadU(u, t.triangle.data() + k), hn::Set(u, first_id));
   return g;
 }
 
@@ -231,12 +231,12 @@ HWY_INLINE int common_tile(const Group& g, const TileGrid& grid) {
   return one ? row * grid.columns + column : -1;
 }
 
-void DrawSmallTriangles(CulledTriangles& t, std::uint32_t first_id,
+void DrawSmallTriangles(CulledTriangles::Snapped& t, std::uint32_t first_id,
                         std::span<const SampleOffset> pattern, const Fixed24_8* offsets_min_max,
                         const TileGrid& grid, Bins& bins) {
   const I i;
   const auto lanes = static_cast<std::size_t>(hn::Lanes(i));
-  const auto size = static_cast<std::size_t>(t.small_size);
+  const auto size = static_cast<std::size_t>(t.size);
   if (size == 0) return;
   // The last vector is filled up with points: they cover nothing, and lie near the others.
   const std::size_t padded = (size + lanes - 1) / lanes * lanes;
@@ -246,7 +246,7 @@ void DrawSmallTriangles(CulledTriangles& t, std::uint32_t first_id,
       t.y[v][k] = t.y[0][size - 1];
       t.z[v][k] = 0.0f;
     }
-    t.small_triangle[k] = 0;
+    t.triangle[k] = 0;
   }
   MixedFragments mixed;
   for (std::size_t k = 0; k < size; k += lanes) {
@@ -270,7 +270,7 @@ namespace kinescope {
 
 HWY_EXPORT(DrawSmallTriangles);
 
-void draw_small_triangles(CulledTriangles& triangles, std::uint32_t first_id,
+void draw_small_triangles(CulledTriangles::Snapped& triangles, std::uint32_t first_id,
                           std::span<const SampleOffset> pattern, const TileGrid& grid, Bins& bins) {
   std::array<Fixed24_8, 4> limits = {pattern[0].x, pattern[0].x, pattern[0].y, pattern[0].y};
   for (const SampleOffset& o : pattern) {

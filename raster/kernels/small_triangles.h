@@ -13,7 +13,7 @@ namespace kinescope {
 
 /// Appends the fragments of all small triangles. Writes over the padding of `triangles`.
 /// @param first_id  id of the call's first triangle
-void draw_small_triangles(CulledTriangles& triangles, std::uint32_t first_id,
+void draw_small_triangles(CulledTriangles::Snapped& triangles, std::uint32_t first_id,
                           std::span<const SampleOffset> pattern, const TileGrid& grid, Bins& bins);
 
 }  // namespace kinescope
