@@ -15,9 +15,9 @@ using testing::Scratch;
 
 Image<Srgb8> colourful(int width, int height, int seed) {
   Image<Srgb8> picture(width, height);
-  int n = seed;
+  unsigned n = static_cast<unsigned>(seed);
   for (Srgb8& p : picture.pixels()) {
-    n = n * 1103515245 + 12345;
+    n = n * 1103515245u + 12345u;
     p = {static_cast<std::uint8_t>(n >> 8), static_cast<std::uint8_t>(n >> 14),
          static_cast<std::uint8_t>(n >> 20), 255};
   }
