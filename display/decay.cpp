@@ -6,6 +6,8 @@
 namespace kinescope {
 namespace {
 
+constexpr double kGone = 40;  // exp(-40) = 4e-18; also keeps what is computed with from denormals
+
 /// 1 - (1 - exp(-q)) / q, by series where the two nearly cancel.
 double lost_during_dwell(double q) {
   if (q > 0.1) return 1 - one_minus_exp(q) / q;
@@ -17,6 +19,17 @@ double lost_during_dwell(double q) {
 }  // namespace
 
 double one_minus_exp(double q) { return -std::expm1(-q); }
+
+Decayed decayed(double t, double tau) {
+  const double q = t / tau;
+  if (q > kGone) return {0, 1};
+  if (q > 0.5) {
+    const double left = std::exp(-q);
+    return {left, 1 - left};
+  }
+  const double lost = one_minus_exp(q);
+  return {1 - lost, lost};
+}
 
 double left_after_dwell(double dwell, double tau) {
   const double q = dwell / tau;

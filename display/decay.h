@@ -7,6 +7,12 @@ namespace kinescope {
 /// 1 - exp(-q), exact for small q.
 double one_minus_exp(double q);
 
+/// exp(-t / tau) and 1 - exp(-t / tau), both to full precision, at the price of one.
+struct Decayed {
+  double left = 1, lost = 0;
+};
+Decayed decayed(double t, double tau);
+
 /// The share of a dose that is still to come when its dwell ends: (1 - exp(-q)) / q, q = dwell/tau.
 double left_after_dwell(double dwell, double tau);
 

@@ -14,11 +14,8 @@ constexpr double kDwell = 1;            // clocks
 constexpr double kLeastWeight = 1e-12;  // of white; what is less is left out
 // exp(-20.7) = 1e-9: a term that loses more in a frame needs no state beyond its last dose.
 constexpr double kFadesInAFrame = 20.7;
-constexpr double kTableEnd = 40;  // exp(-40) = 4e-18: keeps tables and products from denormals
 
 float as_float(double v) { return static_cast<float>(v); }
-
-double decayed(double t, double tau) { return t < kTableEnd * tau ? std::exp(-t / tau) : 0; }
 
 }  // namespace
 
@@ -32,6 +29,7 @@ PhosphorLayer::PhosphorLayer(const Phosphor& phosphor, double clock_hz, double f
     term.share = source.share;
     term.tau = source.tau.count() * clock_hz;
     term.after_dwell = left_after_dwell(kDwell, term.tau);
+    term.in_dwell = light_of_dose(0, kDwell, kDwell, term.tau);
     term.keep = std::exp(-frame_clocks / term.tau);
     term.gain = term.share * term.after_dwell * std::exp(-(frame_clocks - kDwell) / term.tau);
     if (frame_clocks < kFadesInAFrame * term.tau) {
@@ -45,14 +43,15 @@ PhosphorLayer::PhosphorLayer(const Phosphor& phosphor, double clock_hz, double f
 
 void PhosphorLayer::fill_tables(Term& term) const {
   const std::size_t n = static_cast<std::size_t>(width_);
-  term.reach = static_cast<int>(std::min<double>(width_, std::ceil(kTableEnd * term.tau) + 1));
+  term.reach = static_cast<int>(std::min<double>(width_, std::ceil(40 * term.tau) + 1));
   term.decay.resize(n);
   term.grown_back.resize(n);
   term.grown.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double t = static_cast<double>(i);
-    term.decay[n - 1 - i] = as_float(decayed(t, term.tau));
-    term.grown[i] = as_float(one_minus_exp(t / term.tau));
+    const Decayed after = decayed(t, term.tau);
+    term.decay[n - 1 - i] = as_float(after.left);
+    term.grown[i] = as_float(after.lost);
     term.grown_back[n - 1 - i] = term.grown[i];
   }
 }
@@ -95,15 +94,15 @@ void PhosphorLayer::emit(int line, const CellRange& range, int count, LayerScrat
   bool any = false;
   for (const Term& term : terms_) {
     const float* decay = term.decay.data() + (width_ - count);
-    const double of_dose =
-        term.share * term.after_dwell * term.window_light * decayed(since_last - kDwell, term.tau);
+    const double of_dose = term.share * term.after_dwell * term.window_light *
+                           decayed(since_last - kDwell, term.tau).left;
     if (of_dose > kLeastWeight * term.window_light) {
       const int skip = std::max(0, count - term.reach);
       add_scaled(count - skip, as_float(of_dose), decay + skip, weight + skip);
       any = true;
     }
     if (term.plane >= 0) {
-      const double of_state = term.window_light * decayed(since_last, term.tau);
+      const double of_state = term.window_light * decayed(since_last, term.tau).left;
       add_light(count, as_float(of_state), decay, state_row(term.plane, line) + range.begin,
                 light + range.begin);
     }
@@ -113,16 +112,16 @@ void PhosphorLayer::emit(int line, const CellRange& range, int count, LayerScrat
 
 void PhosphorLayer::excite_slow(const Term& term, int line, const CellRange& range, int count,
                                 float* light) {
-  const double before_first = frame_clocks_ - range.since;
-  const double until_last = range.until - (count - 1);
   SlowTermStep step{};
   step.keep = as_float(term.keep);
   step.gain = as_float(term.gain);
-  step.old_scale = as_float(decayed(range.since - (count - 1), term.tau));
-  step.old_constant = as_float(one_minus_exp(before_first / term.tau));
-  step.old_slope = as_float(decayed(before_first, term.tau));
-  step.new_constant = as_float(one_minus_exp(until_last / term.tau));
-  step.new_slope = as_float(decayed(until_last, term.tau));
+  step.old_scale = as_float(decayed(range.since - (count - 1), term.tau).left);
+  const Decayed before = decayed(frame_clocks_ - range.since, term.tau);
+  step.old_constant = as_float(before.lost);
+  step.old_slope = as_float(before.left);
+  const Decayed after = decayed(range.until - (count - 1), term.tau);
+  step.new_constant = as_float(after.lost);
+  step.new_slope = as_float(after.left);
   step.old_decay = term.decay.data() + (width_ - count);
   step.old_grown = term.grown.data();
   step.new_grown = term.grown_back.data() + (width_ - count);
@@ -135,31 +134,31 @@ void PhosphorLayer::excite(int line, const CellRange& range, int count, const fl
   const double since_last = range.since - (count - 1);
   const double before_first = frame_clocks_ - range.since;
   const double until_last = range.until - (count - 1);
-  double new_constant = 0;
-  for (const Term& term : terms_) {
-    new_constant += term.share * light_of_dose(0, until_last, kDwell, term.tau);
-  }
   float* old_weight = scratch.old_weight.data();
   float* new_weight = scratch.new_weight.data();
   std::fill_n(old_weight, count, 0.0f);
-  std::fill_n(new_weight, count, as_float(new_constant));
+  std::fill_n(new_weight, count, 0.0f);
+  double even = 0;  // the new doses' light that all cells of the range share
   for (const Term& term : terms_) {
     if (term.plane >= 0) excite_slow(term, line, range, count, light);
-    const double old_left = term.share * term.after_dwell * decayed(since_last - kDwell, term.tau);
+    const double old_left =
+        term.share * term.after_dwell * decayed(since_last - kDwell, term.tau).left;
     if (old_left > kLeastWeight) {
       const int skip = std::max(0, count - term.reach);
-      add_scaled_product(
-          count - skip, as_float(old_left), term.decay.data() + (width_ - count + skip),
-          as_float(one_minus_exp(before_first / term.tau)),
-          as_float(decayed(before_first, term.tau)), term.grown.data() + skip, old_weight + skip);
+      const Decayed before = decayed(before_first, term.tau);
+      add_scaled_product(count - skip, as_float(old_left),
+                         term.decay.data() + (width_ - count + skip), as_float(before.lost),
+                         as_float(before.left), term.grown.data() + skip, old_weight + skip);
     }
-    const double new_left = term.share * left_of_dose(until_last, kDwell, term.tau);
+    const Decayed since_dwell = decayed(until_last - kDwell, term.tau);
+    const double new_left = term.share * term.after_dwell * since_dwell.left;
+    even += term.share * (term.in_dwell + term.after_dwell * since_dwell.lost);
     if (new_left > kLeastWeight) {
       add_scaled(count, as_float(new_left), term.grown_back.data() + (width_ - count), new_weight);
     }
   }
-  excite_dose(count, old_weight, new_weight, new_dose + range.begin, dose_row(line) + range.begin,
-              light + range.begin);
+  excite_dose(count, old_weight, as_float(even), new_weight, new_dose + range.begin,
+              dose_row(line) + range.begin, light + range.begin);
 }
 
 void PhosphorLayer::pass_dwelling_cell(int line, const CellRange& range, const float* new_dose,
@@ -177,7 +176,7 @@ void PhosphorLayer::pass_dwelling_cell(int line, const CellRange& range, const f
     }
     if (term.plane < 0) continue;
     float& state = state_row(term.plane, line)[cell];
-    sum += state * decayed(since, term.tau) * one_minus_exp(old_span / term.tau);
+    sum += state * decayed(since, term.tau).left * one_minus_exp(old_span / term.tau);
     if (range.excited) {
       state = as_float(term.keep * state + term.gain * dose);
       sum += state * one_minus_exp(until / term.tau);

@@ -42,6 +42,7 @@ class PhosphorLayer {
  private:
   struct Term {
     double share = 0, tau = 0;      // clocks
+    double in_dwell = 0;            // share of a dose's light that comes during its dwell
     double after_dwell = 0;         // share of a dose left when its dwell ends
     double window_light = 0;        // 1 - exp(-window / tau)
     double keep = 0, gain = 0;      // a frame later: of the state, of the dose

@@ -14,6 +14,8 @@ namespace kinescope {
 namespace {
 
 constexpr int kLinesATask = 8;
+constexpr int kRowsATask =
+    64;  // of the output: many, for the lines at a task's edge are spread twice
 
 int tasks_of(int lines) { return (lines + kLinesATask - 1) / kLinesATask; }
 
@@ -55,6 +57,7 @@ struct TubeScratch {
   LayerScratch layer;
   std::vector<float> doses, mixed;
   std::vector<GunDrive> drives;
+  std::vector<float> spread;  // a ring of lines spread over the output's columns, three channels
 };
 
 /// What an exposure works in; nothing of it outlives the exposure but the picture handed out, so a
@@ -62,7 +65,6 @@ struct TubeScratch {
 struct TubeWork {
   std::vector<GunDrive> drives;           // of each cell's excitation in the window
   std::vector<std::vector<float>> light;  // a layer's light of the exposure, a cell each
-  std::vector<float> spread;              // lines spread over the output's columns, three channels
   Image<LinearRgb> picture;
   std::vector<TubeScratch> scratch;
 
@@ -81,9 +83,10 @@ struct RasterTube::State {
   void prepare(Workers& workers);
   void read_buffer(FrameBuffer& buffer, BeamTime end, Workers& workers);
   void read_lines(const FrameBuffer& buffer, BeamTime begin, BeamTime end, Workers& workers);
-  void pass_window(BeamTime end, bool last, Workers& workers);
+  void pass_window(BeamTime end, Workers& workers);
   void pass_line(BeamTime end, int line, bool first, TubeScratch& scratch);
-  void spread_line(int line, TubeScratch& scratch);
+  void spread_line(int line, TubeScratch& scratch, float* out);
+  void spread_rows(int begin, int end, TubeScratch& scratch);
   void spread_picture(Workers& workers);
 
   int cells() const { return scan.mode().horizontal.active; }
@@ -95,7 +98,6 @@ struct RasterTube::State {
     return work.light[layer].data() + static_cast<std::ptrdiff_t>(line) * cells();
   }
   std::ptrdiff_t spread_pitch() const { return 3 * width + 8; }
-  float* spread_row(int line) { return work.spread.data() + line * spread_pitch(); }
 
   TubeSettings settings;
   RasterScan scan;
@@ -135,7 +137,6 @@ void RasterTube::State::prepare(Workers& workers) {
   work.drives.resize(n * line_count);
   work.light.resize(layers.size());
   for (auto& plane : work.light) plane.resize(n * line_count);
-  work.spread.resize(static_cast<std::size_t>(spread_pitch()) * line_count);
   if (work.picture.empty()) work.picture = Image<LinearRgb>(width, height);
   work.scratch.resize(static_cast<std::size_t>(workers.count()));
   for (TubeScratch& s : work.scratch) {
@@ -144,6 +145,7 @@ void RasterTube::State::prepare(Workers& workers) {
     s.doses.resize(n);
     s.drives.resize(n);
     s.mixed.resize(3 * n + 8);
+    s.spread.resize(static_cast<std::size_t>(spread_pitch() * down.taps));
   }
 }
 
@@ -208,17 +210,16 @@ void RasterTube::State::pass_line(BeamTime end, int line, bool first, TubeScratc
   }
 }
 
-void RasterTube::State::spread_line(int line, TubeScratch& s) {
+void RasterTube::State::spread_line(int line, TubeScratch& s, float* out) {
   const float* rows[3] = {};
   for (std::size_t layer = 0; layer < layers.size(); ++layer) rows[layer] = light_row(layer, line);
   float colour[3][3];
   for (std::size_t i = 0; i < 3; ++i) std::copy(colours[i].begin(), colours[i].end(), colour[i]);
   mix_layers(cells(), {rows, layers.size()}, colour, s.mixed.data());
-  spread_across(width, across.taps, across.start.data(), across.weight.data(), s.mixed.data(),
-                spread_row(line));
+  spread_across(width, across.taps, across.start.data(), across.weight.data(), s.mixed.data(), out);
 }
 
-void RasterTube::State::pass_window(BeamTime end, bool last, Workers& workers) {
+void RasterTube::State::pass_window(BeamTime end, Workers& workers) {
   const bool first = std::exchange(fresh, false);
   for (PhosphorLayer& layer : layers) layer.set_window(to_clocks(end - now));
   workers.run(tasks_of(lines()), [&](int task, int worker) {
@@ -226,22 +227,32 @@ void RasterTube::State::pass_window(BeamTime end, bool last, Workers& workers) {
     const int stop = std::min(lines(), (task + 1) * kLinesATask);
     for (int line = task * kLinesATask; line < stop; ++line) {
       pass_line(end, line, first, s);
-      if (last) spread_line(line, s);
     }
   });
 }
 
-void RasterTube::State::spread_picture(Workers& workers) {
+/// Output rows [begin, end): each line they need is spread across once, into a ring of lines.
+void RasterTube::State::spread_rows(int begin, int end, TubeScratch& s) {
+  const auto ring_row = [&](int line) {
+    return s.spread.data() + (line % down.taps) * spread_pitch();
+  };
   const std::size_t taps = static_cast<std::size_t>(down.taps);
-  workers.run(tasks_of(height), [&](int task, int) {
-    std::vector<const float*> rows(taps);
-    const int stop = std::min(height, (task + 1) * kLinesATask);
-    for (int y = task * kLinesATask; y < stop; ++y) {
-      const std::size_t at = static_cast<std::size_t>(y);
-      for (std::size_t t = 0; t < taps; ++t)
-        rows[t] = spread_row(down.start[at] + static_cast<int>(t));
-      spread_down(3 * width, rows, down.weight.data() + at * taps, &work.picture.row(y)->r);
-    }
+  std::vector<const float*> rows(taps);
+  int next = down.start[static_cast<std::size_t>(begin)];
+  for (int y = begin; y < end; ++y) {
+    const std::size_t at = static_cast<std::size_t>(y);
+    const int first = down.start[at];
+    next = std::max(next, first);
+    for (; next < first + down.taps; ++next) spread_line(next, s, ring_row(next));
+    for (std::size_t t = 0; t < taps; ++t) rows[t] = ring_row(first + static_cast<int>(t));
+    spread_down(3 * width, rows, down.weight.data() + at * taps, &work.picture.row(y)->r);
+  }
+}
+
+void RasterTube::State::spread_picture(Workers& workers) {
+  workers.run((height + kRowsATask - 1) / kRowsATask, [&](int task, int worker) {
+    spread_rows(task * kRowsATask, std::min(height, (task + 1) * kRowsATask),
+                work.scratch[static_cast<std::size_t>(worker)]);
   });
 }
 
@@ -276,7 +287,7 @@ const Image<LinearRgb>& RasterTube::expose(FrameBuffer& buffer, Seconds end, Wor
   do {
     const BeamTime cut = std::min(until, s.now + s.scan.frame_clocks());
     s.read_buffer(buffer, cut, workers);
-    s.pass_window(cut, cut == until, workers);
+    s.pass_window(cut, workers);
     s.now = cut;
   } while (s.now < until);
   s.spread_picture(workers);

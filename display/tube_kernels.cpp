@@ -67,13 +67,14 @@ void ExciteSlowTerm(int n, const SlowTermStep& step, const float* old_dose, floa
   });
 }
 
-void ExciteDose(int n, const float* old_weight, const float* new_weight, const float* new_dose,
-                float* dose, float* light) {
+void ExciteDose(int n, const float* old_weight, float even, const float* new_weight,
+                const float* new_dose, float* dose, float* light) {
   for_each_vector(n, [=](auto d, int i) {
     const auto fresh = hn::LoadU(d, new_dose + i);
     const auto sum =
         hn::MulAdd(hn::LoadU(d, old_weight + i), hn::LoadU(d, dose + i), hn::LoadU(d, light + i));
-    hn::StoreU(hn::MulAdd(hn::LoadU(d, new_weight + i), fresh, sum), d, light + i);
+    const auto weight = hn::Add(hn::LoadU(d, new_weight + i), hn::Set(d, even));
+    hn::StoreU(hn::MulAdd(weight, fresh, sum), d, light + i);
     hn::StoreU(fresh, d, dose + i);
   });
 }
@@ -172,9 +173,9 @@ void excite_slow_term(int n, const SlowTermStep& step, const float* old_dose, fl
   HWY_DYNAMIC_DISPATCH(ExciteSlowTerm)(n, step, old_dose, state, light);
 }
 
-void excite_dose(int n, const float* old_weight, const float* new_weight, const float* new_dose,
-                 float* dose, float* light) {
-  HWY_DYNAMIC_DISPATCH(ExciteDose)(n, old_weight, new_weight, new_dose, dose, light);
+void excite_dose(int n, const float* old_weight, float even, const float* new_weight,
+                 const float* new_dose, float* dose, float* light) {
+  HWY_DYNAMIC_DISPATCH(ExciteDose)(n, old_weight, even, new_weight, new_dose, dose, light);
 }
 
 void mix_layers(int n, std::span<const float* const> light, const float (*colour)[3], float* out) {

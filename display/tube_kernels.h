@@ -27,9 +27,9 @@ struct SlowTermStep {
 void excite_slow_term(int n, const SlowTermStep& step, const float* old_dose, float* state,
                       float* light);
 
-/// light += old weight * dose + new weight * new dose; then dose = new dose.
-void excite_dose(int n, const float* old_weight, const float* new_weight, const float* new_dose,
-                 float* dose, float* light);
+/// light += old weight * dose + (even + new weight) * new dose; then dose = new dose.
+void excite_dose(int n, const float* old_weight, float even, const float* new_weight,
+                 const float* new_dose, float* dose, float* light);
 
 /// out[3 i + c] = sum over layers of light[layer][i] * colour[layer][c]; one or three layers.
 void mix_layers(int n, std::span<const float* const> light, const float (*colour)[3], float* out);
