@@ -1,6 +1,7 @@
 #include "demos/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <limits>
@@ -8,6 +9,7 @@
 
 #include "demos/displays.h"
 #include "raster/base/error.h"
+#include "raster/base/simd.h"
 
 namespace kinescope {
 namespace {
@@ -17,7 +19,8 @@ using Parse = std::function<void(const std::string& text, const std::string& opt
 /// An option whose text a parser of our own takes; `names` as CLI11 has them ("-o,--output").
 CLI::Option* add(CLI::App& app, const std::string& names, const std::string& value_name,
                  const std::string& help, const Parse& parse) {
-  const std::string shown = names.substr(names.rfind(',') + 1);
+  std::string shown = names;
+  std::replace(shown.begin(), shown.end(), ',', '/');
   return app
       .add_option_function<std::string>(
           names, [parse, shown](const std::string& text) { parse(text, shown); }, help)
@@ -43,7 +46,9 @@ void add_common(CLI::App& app, CommonOptions& common) {
       [&](const std::string& text, const std::string& option) {
         common.threads = parse_whole(text, option, 1, 1024);
       });
-  add(app, "--simd", "NAME", "instruction set: best, AVX3, AVX2, SSE4 or EMU128 (default: best)",
+  std::string targets = "best";
+  for (const std::string& target : simd_targets()) targets += ", " + target;
+  add(app, "--simd", "NAME", "instruction set: " + targets + " (default: best)",
       [&](const std::string& text, const std::string&) { common.simd = text; });
   add(app, "--seed", "N", "seed of every random number (default: 1)",
       [&](const std::string& text, const std::string& option) {
@@ -125,7 +130,7 @@ void add_camera(CLI::App& app, RenderOptions& render) {
   };
   vector("--eye", "where the camera stands (default: where all is seen)", render.eye);
   vector("--look", "the point it looks at (default: the middle)", render.look);
-  vector("--up", "which way is up in the model (default: 0,1,0)", render.up);
+  vector("--up", "which way is up in the model (default: 0,0,1 for STL, else 0,1,0)", render.up);
 }
 
 void add_render(CLI::App& app, Options& options) {

@@ -22,6 +22,7 @@ constexpr double kTurnSeconds = 6;  // of a film without --turntable
 void plan_display(ModelFilmPlan& plan, const PictureOptions& picture) {
   const std::string name = picture.display.value_or(std::string(display_presets().front().name));
   plan.bare = name == "none";
+  plan.tube = (plan.bare ? display_presets().front() : find_display(name)).settings();
   if (plan.bare) {
     plan.size = plan.drawn = picture.size.value_or(Size{1280, 960});
     plan.rate = picture.fps.value_or(Rate{60, 1});
@@ -29,7 +30,6 @@ void plan_display(ModelFilmPlan& plan, const PictureOptions& picture) {
       refuse("--shutter", "needs a display; --display none has no light to gather");
     return;
   }
-  plan.tube = find_display(name).settings();
   const VideoMode& mode = plan.tube.mode;
   plan.drawn = {mode.horizontal.active, mode.vertical.active};
   plan.size = picture.size.value_or(Size{2 * plan.drawn.width, 2 * plan.drawn.height});
@@ -63,8 +63,8 @@ ModelFilmPlan plan_model_film(const Options& options) {
 
 void check_memory(const ModelFilmPlan& plan, const Options& options) {
   // Bytes a pixel, measured: colour, encoded copies and, on a tube, light and phosphor.
-  const double drawn_cost = options.picture.depth_bits == 16 && plan.bare ? 28 : 9;
-  const double tube_cost = plan.bare ? 0 : 60;
+  const double drawn_cost = options.picture.depth_bits == 16 && plan.bare ? 26 : 6;
+  const double tube_cost = plan.bare ? 0 : 36;
   const double need = drawn_cost * plan.drawn.width * plan.drawn.height +
                       tube_cost * plan.size.width * plan.size.height;
   const double have = available_memory_bytes();

@@ -18,7 +18,7 @@ struct ModelFilmPlan {
   Size size;   ///< of the pictures
   Size drawn;  ///< of what is rasterized: the mode's, or `size` when bare
   bool bare = true;
-  TubeSettings tube;  ///< unless bare
+  TubeSettings tube;  ///< when bare: the default one, for a window that switches it on
   Rate rate;
   FrameRange frames;
   Seconds shutter{0};  ///< unless bare

@@ -25,24 +25,32 @@ float radians_or(std::optional<double> degrees, double otherwise_deg) {
   return static_cast<float>(glm::radians(degrees.value_or(otherwise_deg)));
 }
 
-}  // namespace
-
-ModelView::ModelView(Scene scene, const RenderOptions& options, double aspect, Workers& workers)
-    : scene_(stand_up(std::move(scene), up_of(options))),
-      bounds_(world_bounds(scene_)),
-      camera_(first_camera(options, aspect)),
-      own_lights_(scene_.lights.empty()),
-      renderer_(workers) {
-  settings_.shading = options.shading;
-  settings_.wireframe = options.wireframe;
+RenderSettings render_settings(const RenderOptions& options) {
+  RenderSettings settings;
+  settings.shading = options.shading;
+  settings.wireframe = options.wireframe;
+  return settings;
 }
 
-Camera ModelView::first_camera(const RenderOptions& options, double aspect) const {
-  const glm::mat4 upright = upright_from_model(up_of(options));
-  const auto place = [&](const glm::vec3& p) { return glm::vec3(upright * glm::vec4(p, 1)); };
-  Camera camera =
-      frame_scene(scene_, static_cast<float>(aspect), radians_or(options.azimuth_deg, 34),
-                  radians_or(options.elevation_deg, 20), radians_or(options.fov_deg, 40));
+}  // namespace
+
+void fit_depth(Camera& camera, const Bounds& bounds) {
+  const float distance = glm::length(camera.eye - bounds.centre());
+  const float radius = std::max(bounds.radius() * 1.01f, 1e-6f);
+  camera.far_plane = distance + radius;
+  camera.near_plane = std::max(distance - radius, camera.far_plane * 1e-4f);
+}
+
+Scene upright_scene(Scene scene, const RenderOptions& options) {
+  return stand_up(std::move(scene), up_of(options));
+}
+
+Camera model_camera(const Scene& upright, const RenderOptions& options, double aspect, bool turns) {
+  const glm::mat4 rotation = upright_from_model(up_of(options));
+  const auto place = [&](const glm::vec3& p) { return glm::vec3(rotation * glm::vec4(p, 1)); };
+  Camera camera = (turns ? frame_turntable : frame_scene)(
+      upright, static_cast<float>(aspect), radians_or(options.azimuth_deg, 34),
+      radians_or(options.elevation_deg, 20), radians_or(options.fov_deg, 40));
   if (!options.eye && !options.look) return camera;
   const glm::vec3 look = options.look ? place(*options.look) : camera.look_at;
   camera.eye = options.eye ? place(*options.eye) : camera.eye + look - camera.look_at;
@@ -50,23 +58,25 @@ Camera ModelView::first_camera(const RenderOptions& options, double aspect) cons
   if (camera.eye == look) {
     throw Error(ErrorKind::kUsage, "the camera stands where it looks at", "--eye");
   }
-  fit_depth(camera);
+  fit_depth(camera, world_bounds(upright));
   return camera;
 }
 
-void ModelView::fit_depth(Camera& camera) const {
-  const float distance = glm::length(camera.eye - bounds_.centre());
-  const float radius = std::max(bounds_.radius() * 1.01f, 1e-6f);
-  camera.far_plane = distance + radius;
-  camera.near_plane = std::max(distance - radius, camera.far_plane * 1e-4f);
-}
+ModelView::ModelView(Scene scene, const RenderOptions& options, double aspect, bool turns,
+                     Workers& workers)
+    : scene_(upright_scene(std::move(scene), options)),
+      bounds_(world_bounds(scene_)),
+      camera_(model_camera(scene_, options, aspect, turns)),
+      settings_(render_settings(options)),
+      own_lights_(scene_.lights.empty()),
+      renderer_(workers) {}
 
 RenderStats ModelView::draw(double turn_rad, RenderTarget& target, bool want_visibility_hash) {
   Camera camera = camera_;
   if (turn_rad != 0) {
     const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), static_cast<float>(turn_rad), kUp);
     camera.eye = camera.look_at + glm::vec3(turn * glm::vec4(camera.eye - camera.look_at, 0));
-    fit_depth(camera);
+    fit_depth(camera, bounds_);
   }
   if (own_lights_) {
     scene_.lights.clear();

@@ -7,11 +7,19 @@
 
 namespace kinescope {
 
+/// The scene with what the user calls up along +y, and the camera as the user wishes; by itself it
+/// sees the whole scene from anywhere on its way around.
+/// @param turns whether the camera will be walked around the model
+/// @throws Error (usage) if eye and look, or up, make no view
+Scene upright_scene(Scene scene, const RenderOptions& options);
+Camera model_camera(const Scene& upright, const RenderOptions& options, double aspect, bool turns);
+
+/// Depth planes about the whole scene, for a camera that was moved.
+void fit_depth(Camera& camera, const Bounds& bounds);
+
 class ModelView {
  public:
-  /// @param aspect width over height of the picture
-  /// @throws Error (usage) if eye and look, or up, make no view
-  ModelView(Scene scene, const RenderOptions& options, double aspect, Workers& workers);
+  ModelView(Scene scene, const RenderOptions& options, double aspect, bool turns, Workers& workers);
 
   /// Draws with the camera walked around the model by `turn_rad` about the vertical. Lights of our
   /// own (where the model brings none) walk along; the model's stay with it.
@@ -20,9 +28,6 @@ class ModelView {
   const Scene& scene() const { return scene_; }
 
  private:
-  Camera first_camera(const RenderOptions& options, double aspect) const;
-  void fit_depth(Camera& camera) const;
-
   Scene scene_;
   Bounds bounds_;
   Camera camera_;

@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <new>
+#include <string>
 #include <variant>
 
 #include "demos/command_line.h"
@@ -14,21 +15,37 @@
 namespace kinescope {
 namespace {
 
-int run_command(const Options& options) {
-  use_simd_target(options.common.simd);
-  switch (options.command) {
+struct Entry {
+  const char* name;  ///< as typed, with a space behind it
+  int (*run)(const Options& options);
+};
+
+Entry entry_of(Command command) {
+  switch (command) {
     case Command::kGallery:
-      return run_gallery(options);
+      return {"", run_gallery};
     case Command::kList:
-      return run_list(options);
+      return {"list ", run_list};
     case Command::kDemo:
-      return run_demo(options);
+      return {"demo ", run_demo};
     case Command::kRender:
-      return run_render(options);
+      return {"render ", run_render};
     case Command::kTiming:
-      return run_timing(options);
+      return {"timing ", run_timing};
   }
-  return 0;
+  return {"", run_gallery};
+}
+
+int run_command(const Options& options) {
+  const Entry entry = entry_of(options.command);
+  try {
+    use_simd_target(options.common.simd);
+    return entry.run(options);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kUsage) throw;
+    throw Error(ErrorKind::kUsage,
+                std::string(error.what()) + "; try kinescope " + entry.name + "--help");
+  }
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ struct DemoOptions {
 };
 
 /// Opens a window on one demo and returns when it is closed.
-/// @return exit code. @throws Error (usage) if there is no such demo or no window to be had
-int run_demo_window(std::string_view name, const DemoOptions& options);
+/// @return exit code. @throws Error (usage) if there is no window to be had
+int run_demo_window(const DemoInfo& demo, const DemoOptions& options);
 
 /// Opens the gallery, from which demos are started. Returns when it is closed.
 int run_gallery_window(const DemoOptions& options);

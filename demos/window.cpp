@@ -82,8 +82,7 @@ Outcome run_demo(Presenter& presenter, const std::shared_ptr<Studio>& studio, co
 
 }  // namespace
 
-int run_demo_window(std::string_view name, const DemoOptions& options) {
-  const DemoInfo& info = find_demo(name);
+int run_demo_window(const DemoInfo& info, const DemoOptions& options) {
   Presenter presenter("kinescope", options.width, options.height);
   run_demo(presenter, std::make_shared<Studio>(options.threads), info, options.seed);
   return 0;

@@ -106,7 +106,7 @@ int run_demo(const Options& options) {
     throw Error(ErrorKind::kUsage, "standard output cannot hold both a picture and --json", "-o");
   }
   if (!picture.output.empty()) return film_demo(demo, options, picture.output);
-  if (can_open_window(options)) return run_demo_window(demo.name, session_options(options));
+  if (can_open_window(options)) return run_demo_window(demo, session_options(options));
   return film_to_out(demo, options, why_no_window(options));
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -6,8 +8,10 @@
 #include "demos/commands/commands.h"
 #include "demos/console.h"
 #include "demos/displays.h"
+#include "demos/model_demo.h"
 #include "demos/model_film.h"
 #include "demos/progress.h"
+#include "demos/session.h"
 #include "display/presenter.h"
 #include "engine/io/import.h"
 #include "raster/base/simd.h"
@@ -23,6 +27,19 @@ Scene import_models(const std::vector<std::string>& paths, Warnings& warnings) {
     if (drawn_triangle_count(scenes.back()) == 0) throw_bad_input("has no triangles to draw", path);
   }
   return side_by_side(std::move(scenes));
+}
+
+/// STL files come from machine drawing, where z is up; the others keep y.
+Options with_up_of_files(Options options) {
+  const auto& models = options.render.models;
+  const bool all_stl = std::all_of(models.begin(), models.end(), [](const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".stl";
+  });
+  if (all_stl && !options.render.up) options.render.up = glm::vec3(0, 0, 1);
+  return options;
 }
 
 /// Where the pictures go; empty: nowhere, only figures are wanted.
@@ -99,7 +116,7 @@ int film_models(const Options& options, const ModelFilmPlan& plan, const std::st
 
   Workers workers(options.common.threads);
   const double aspect = static_cast<double>(plan.drawn.width) / plan.drawn.height;
-  ModelView view(std::move(scene), options.render, aspect, workers);
+  ModelView view(std::move(scene), options.render, aspect, plan.several(), workers);
   ModelFilm shots(view, plan, options, workers);
   {
     Progress progress("rendering", plan.frames.count(), !options.common.quiet);
@@ -119,8 +136,22 @@ int film_models(const Options& options, const ModelFilmPlan& plan, const std::st
 
 }  // namespace
 
-int run_render(const Options& options) {
+/// A window in which the models are turned by hand.
+int show_models(const Options& options, const ModelFilmPlan& plan) {
+  Warnings warnings;
+  Scene scene = import_models(options.render.models, warnings);
+  print_warnings(warnings, options.common.quiet);
+  const DemoInfo demo = model_demo(std::move(scene), options.render, plan);
+  return run_demo_window(
+      demo, {plan.size.width, plan.size.height, options.common.seed, options.common.threads});
+}
+
+int run_render(const Options& as_typed) {
+  const Options options = with_up_of_files(as_typed);
   const ModelFilmPlan plan = plan_model_film(options);
+  const bool wants_window =
+      options.picture.output.empty() && !options.common.headless && !options.common.json;
+  if (wants_window && Presenter::available()) return show_models(options, plan);
   const std::string output = output_of(options, plan.several());
   film_models(options, plan, output);
   if (options.picture.output.empty() && !output.empty()) {
