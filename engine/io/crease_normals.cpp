@@ -81,6 +81,7 @@ std::vector<Side> sorted_sides(const Mesh& mesh, const std::vector<Index>& place
     for (Index i = 0; i < 3; ++i) {
       Index a = first + i;
       Index b = first + (i + 1) % 3;
+      if (place[mesh.indices[a]] == place[mesh.indices[b]]) continue;
       if (place[mesh.indices[a]] > place[mesh.indices[b]]) std::swap(a, b);
       sides.push_back({place[mesh.indices[a]], place[mesh.indices[b]], a, b});
     }
@@ -114,16 +115,22 @@ Index doubled(Mesh& mesh, Index vertex) {
   return static_cast<Index>(mesh.positions.size() - 1);
 }
 
-/// Doubles vertices so that each belongs to one fan only.
-void split_vertices(Mesh& mesh, const std::vector<Index>& fan_of_corner) {
-  std::unordered_map<std::uint64_t, Index> vertex_in_fan;
-  std::vector<bool> taken(mesh.positions.size(), false);
+/// Doubles vertices so that each belongs to one fan only. Triangles without area, which have no
+/// direction, stay with any vertex of theirs.
+void split_vertices(Mesh& mesh, const std::vector<Index>& fan_of_corner,
+                    const std::vector<glm::vec3>& facets) {
+  constexpr Index kNone = 0xffffffffu;
+  std::vector<Index> first_fan(mesh.positions.size(), kNone);
+  std::unordered_map<std::uint64_t, Index> doubles;  // of a vertex in its further fans
   for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
+    if (facets[corner / 3] == glm::vec3(0.0f)) continue;
     const Index vertex = mesh.indices[corner];
-    const std::uint64_t key = std::uint64_t{vertex} << 32 | fan_of_corner[corner];
-    const auto [entry, is_new] = vertex_in_fan.try_emplace(key, vertex);
-    if (is_new && taken[vertex]) entry->second = doubled(mesh, vertex);
-    taken[vertex] = true;
+    const Index fan = fan_of_corner[corner];
+    if (first_fan[vertex] == kNone) first_fan[vertex] = fan;
+    if (first_fan[vertex] == fan) continue;
+    const std::uint64_t key = std::uint64_t{vertex} << 32 | fan;
+    const auto [entry, is_new] = doubles.try_emplace(key, kNone);
+    if (is_new) entry->second = doubled(mesh, vertex);
     mesh.indices[corner] = entry->second;
   }
 }
@@ -136,7 +143,8 @@ void compute_crease_normals(Mesh& mesh, float crease_rad, std::span<const Index>
   place.reserve(mesh.positions.size());
   for (const glm::vec3& position : mesh.positions) place.push_back(pool.index_of(position));
 
-  Fans fans = find_fans(mesh, place, {facet_normals(mesh), std::cos(crease_rad), groups});
+  const Smoothness smooth{facet_normals(mesh), std::cos(crease_rad), groups};
+  Fans fans = find_fans(mesh, place, smooth);
   // A mesh with a vertex a fan: what lies on either side of a texture's seam is smooth together.
   Mesh fan_mesh;
   fan_mesh.positions.resize(mesh.indices.size());
@@ -145,9 +153,10 @@ void compute_crease_normals(Mesh& mesh, float crease_rad, std::span<const Index>
     fan_mesh.positions[fan_mesh.indices.back()] = mesh.positions[mesh.indices[corner]];
   }
   compute_normals(fan_mesh);
-  split_vertices(mesh, fan_mesh.indices);
+  split_vertices(mesh, fan_mesh.indices, smooth.facets);
   mesh.normals.assign(mesh.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
   for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
+    if (smooth.facets[corner / 3] == glm::vec3(0.0f)) continue;
     mesh.normals[mesh.indices[corner]] = fan_mesh.normals[fan_mesh.indices[corner]];
   }
 }

@@ -178,7 +178,21 @@ class ObjCollector {
     data_.has_smoothing_groups = true;
   }
 
+  /// The library takes no care of numbers beyond an int's range.
+  static bool has_huge_number(std::string_view text) {
+    std::size_t digits = 0;
+    for (const char c : text) {
+      digits = c >= '0' && c <= '9' ? digits + 1 : 0;
+      if (digits > 9) return true;
+    }
+    return false;
+  }
+
   void add_face(const tinyobj::index_t* corners, int count) {
+    if (has_huge_number(lines_.arguments())) {
+      data_.corners.insert(data_.corners.end(), 3, ObjData::Corner{-1, -1, -1});
+      count = 0;
+    }
     for (int i = 0; i < count; ++i) {
       data_.corners.push_back({from_zero(corners[i].vertex_index, data_.positions.size()),
                                from_zero(corners[i].texcoord_index, data_.texcoords.size()),

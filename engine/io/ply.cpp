@@ -90,9 +90,8 @@ class PlyValues {
     const double length = read(list.count_type);
     const double entry = is_text_ ? 2.0 : static_cast<double>(size_of(list.type));
     const double left = static_cast<double>(is_text_ ? text_.remaining() + 1 : bytes_.remaining());
-    if (!(length >= 0.0) || length != std::floor(length) || length * entry > left) {
-      fail("a list cannot have the length " + std::to_string(length));
-    }
+    if (!(length >= 0.0) || length != std::floor(length)) fail("a list has no proper length");
+    if (length * entry > left) fail("the file ends too early: within a list");
     return static_cast<std::size_t>(length);
   }
 
