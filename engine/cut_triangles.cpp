@@ -23,7 +23,7 @@ void copy_part(const CutPart& part, Offset offset, std::size_t old_vertices, std
             source_triangle + offset.triangle);
   std::copy(part.rows.begin(), part.rows.end(), new_rows + offset.vertex * row_stride);
   std::size_t at = old_vertices + offset.vertex;
-  for (const CutPart::Vertex& v : part.vertices) {
+  for (const DeviceVertex& v : part.vertices) {
     device.x_px[at] = v.x_px;
     device.y_px[at] = v.y_px;
     device.z[at] = v.z;

@@ -1,5 +1,7 @@
 #include "engine/renderer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "engine/frame_mesh.h"
@@ -18,6 +20,15 @@ const Texture* texture_of(const Scene& scene, const Material& material) {
   const auto index = static_cast<std::size_t>(material.base_texture);
   const bool named = material.base_texture >= 0 && index < scene.textures.size();
   return named && scene.textures[index].levels() > 0 ? &scene.textures[index] : nullptr;
+}
+
+/// Where light is seen from: parallel projection sees along one direction, as from very far away.
+glm::vec3 shading_eye(const Camera& camera) {
+  if (camera.projection == Projection::kPerspective) return camera.eye;
+  const glm::mat4 view = camera.view_from_world();
+  const glm::vec3 back(view[0][2], view[1][2], view[2][2]);
+  const float depth = std::min(std::abs(camera.far_plane) + std::abs(camera.near_plane), 1e12f);
+  return camera.eye + back * (depth * 1e4f);
 }
 
 CullMode cull_mode(const FrameMesh& mesh) {
@@ -100,7 +111,7 @@ void Renderer::State::prepare(const Scene& scene, const Camera& camera,
     surface.texture = settings.textures ? texture_of(scene, surface.material) : nullptr;
     surface.lights = lights;
     surface.ambient = scene.ambient;
-    surface.eye = camera.eye;
+    surface.eye = shading_eye(camera);
     surface.vertex_colours = !mesh.world->mesh->colours.empty();
   }
 }

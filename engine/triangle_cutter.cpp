@@ -16,18 +16,17 @@ std::array<ClipPlane, 7> pipeline_planes(const Projector& p) {
            {{0, -1, 0, p.guard_max.y}}}};
 }
 
-/// What rounding leaves outside is put on the edge of what the rasterizer takes.
-CutPart::Vertex to_device(const Projector& p, const glm::dvec4& clip, double limit_px) {
-  const double inv_w = 1.0 / std::max<double>(clip.w, kLeastW);
+}  // namespace
+
+DeviceVertex device_vertex(const Projector& p, const glm::dvec4& clip, float limit_px) {
+  const double inv_w = 1.0 / std::max<double>(clip.w, kLeastW), limit = limit_px;
   const auto& to_px = p.device_from_ndc;
   const double x = clip.x * inv_w * to_px.scale.x + to_px.offset.x;
   const double y = clip.y * inv_w * to_px.scale.y + to_px.offset.y;
-  return {static_cast<float>(std::clamp(x, -limit_px, limit_px)),
-          static_cast<float>(std::clamp(y, -limit_px, limit_px)),
+  return {static_cast<float>(std::clamp(x, -limit, limit)),
+          static_cast<float>(std::clamp(y, -limit, limit)),
           static_cast<float>(std::clamp(clip.z * inv_w, 0.0, 1.0)), static_cast<float>(inv_w)};
 }
-
-}  // namespace
 
 void CutPart::clear() {
   indices.clear();
@@ -92,7 +91,7 @@ ClipVertex TriangleCutter::clip_vertex(std::uint32_t index, int corner) const {
 
 std::uint32_t TriangleCutter::new_vertex(const ClipVertex& v) {
   const std::size_t index = source_.world.count + part_.vertices.size();
-  part_.vertices.push_back(to_device(source_.projector, v.position, source_.guard_band_px));
+  part_.vertices.push_back(device_vertex(source_.projector, v.position, source_.guard_band_px));
   const std::size_t begin = part_.rows.size();
   part_.rows.resize(begin + static_cast<std::size_t>(source_.rows.stride), 0.0f);
   std::copy_n(v.attributes.begin(), source_.rows.count, &part_.rows[begin]);

@@ -8,8 +8,13 @@
 
 #include "engine/clip_homogeneous.h"
 #include "engine/vertex_transform.h"
+#include "raster/thick_primitives.h"
 
 namespace kinescope {
+
+/// Projects a clipped point. What rounding left outside is put on the edge of [-limit_px, limit_px]
+/// and of the range of depth.
+DeviceVertex device_vertex(const Projector& projector, const glm::dvec4& clip, float limit_px);
 
 /// Rows of vertex attributes, `count` floats of each, `stride` floats apart.
 struct RowView {
@@ -30,11 +35,8 @@ struct CutSource {
 
 /// A run of triangles after the cut. Its new vertices are numbered from world.count on.
 struct CutPart {
-  struct Vertex {
-    float x_px, y_px, z, inv_w;
-  };
   std::vector<std::uint32_t> indices, source_triangle;
-  std::vector<Vertex> vertices;
+  std::vector<DeviceVertex> vertices;
   std::vector<float> rows;  ///< of the new vertices, as far apart as the old ones
   std::uint64_t cut_count = 0;
   void clear();

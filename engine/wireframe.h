@@ -1,4 +1,4 @@
-// Wireframes and points: edges and vertices of projected meshes as quads that face the screen.
+// Wireframes and points: edges and vertices of projected meshes as thick primitives.
 #pragma once
 
 #include <span>
@@ -7,6 +7,7 @@
 #include "engine/frame_mesh.h"
 #include "engine/mesh_edges.h"
 #include "raster/draw_call.h"
+#include "raster/thick_primitives.h"
 
 namespace kinescope {
 
@@ -19,11 +20,11 @@ struct DepthPull {
 /// A thousandth or so of the distance from the eye (of the depth range where parallel).
 DepthPull depth_pull(const Camera& camera);
 
-/// The quads of one mesh. Keeps its buffers between frames.
+/// The quads of one mesh, each in a slot of its own, so that workers can share them out. Keeps its
+/// buffers between frames.
 class WireQuads {
  public:
-  /// One quad an edge, `width_px` wide, its ends lengthened by half of that so that corners close.
-  /// Edges are cut where the view ends.
+  /// One thick line an edge, cut where the view ends.
   void draw_edges(Workers& workers, const Projector& projector, const FrameMesh& mesh,
                   std::span<const Edge> edges, float width_px, DepthPull pull);
   /// One square a vertex, `size_px` wide.
@@ -33,10 +34,8 @@ class WireQuads {
   DrawCall draw_call(const LinearRgba& colour) const;
 
  private:
-  struct End;
   void resize(std::size_t quads);
-  void put(std::size_t quad, const End& a, const End& b, float half_width_px, DepthPull pull);
-  void put_nothing(std::size_t quad);
+  void put(std::size_t quad, const DeviceQuad& corners);
 
   std::vector<float> x_px_, y_px_, z_, inv_w_;
   std::vector<std::uint32_t> indices_;

@@ -300,6 +300,25 @@ TEST(Renderer, BackFacesAreCulledUnlessDoubleSided) {
   EXPECT_GT(painted(render(scene, below)), 1000);
 }
 
+// Far aside of the eye, a surface that faces the direction of view shows its front all the same.
+TEST(Renderer, ParallelProjectionLooksAlongOneDirection) {
+  Scene scene = floor_scene(1.0f);
+  scene.meshes[0].colours.clear();
+  scene.materials[0].double_sided = true;
+  scene.lights.push_back({-1, {LightKind::kDirectional, glm::vec3(1), kZero, {-1, 0, 0}}});
+  // The floor's normal turned from +y to +x, and a little towards the camera.
+  scene.nodes[0].parent_from_local =
+      glm::rotate(glm::rotate(glm::translate(glm::mat4(1.0f), {10, 0, 0}), -0.1f, {0, 1, 0}),
+                  -1.5707964f, {0, 0, 1});
+  Camera camera;
+  camera.projection = Projection::kOrthographic;
+  camera.window_min = {9, -1};
+  camera.window_max = {11, 1};
+  const Picture p = render(scene, camera);
+  EXPECT_GT(painted(p), 500);
+  EXPECT_NEAR(p.pixels().at(75, 50).r, 0.1f + std::cos(0.1f), 1e-3f);
+}
+
 TEST(Renderer, MovedNodesAndNewMeshesAreSeen) {
   Workers workers(2);
   Renderer renderer(workers);
