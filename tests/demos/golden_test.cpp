@@ -1,0 +1,91 @@
+// A picture of each demo as it was judged good by eye. KINESCOPE_UPDATE_GOLDEN=1 (or
+// scripts/update-golden) writes them anew: look at each before committing it.
+#include <cstdlib>
+#include <string>
+
+#include "demo_testing.h"
+#include "demos/session.h"
+#include "raster/image/codecs.h"
+
+namespace kinescope {
+namespace {
+
+// Colours may differ by 1/255 between instruction sets, and a tube's gain widens that a little.
+constexpr int kCodes = 3;
+constexpr double kShare = 0.002;
+
+Image<Srgb8> render(std::string_view name, std::int64_t frame, const std::string& script) {
+  DemoFilm film;
+  film.first_frame = film.last_frame = frame;
+  film.script = InputScript::parse(script, "golden");
+  Image<Srgb8> result;
+  render_demo(find_demo(name), {320, 240, 1, 2}, film,
+              [&](std::int64_t, const Image<Srgb8>& picture) {
+                result = picture;
+                return true;
+              });
+  return result;
+}
+
+bool differs(Srgb8 a, Srgb8 b) {
+  return std::abs(a.r - b.r) > kCodes || std::abs(a.g - b.g) > kCodes ||
+         std::abs(a.b - b.b) > kCodes;
+}
+
+/// The share of pixels that differ by more than the tolerance; 1 if the sizes do.
+double difference(const Image<Srgb8>& a, const Image<Srgb8>& b) {
+  if (a.width() != b.width() || a.height() != b.height()) return 1;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.pixels().size(); ++i)
+    count += differs(a.pixels()[i], b.pixels()[i]);
+  return static_cast<double>(count) / static_cast<double>(a.pixels().size());
+}
+
+struct Golden {
+  std::string file, demo;
+  std::int64_t frame;
+  std::string script;
+};
+
+class GoldenPicture : public ::testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenPicture, IsStillDrawn) {
+  const Golden& golden = GetParam();
+  const std::string path = KINESCOPE_SOURCE_DIR "/tests/golden/" + golden.file + ".png";
+  const Image<Srgb8> now = render(golden.demo, golden.frame, golden.script);
+  if (std::getenv("KINESCOPE_UPDATE_GOLDEN") != nullptr) {
+    write_png(path, now);
+    GTEST_SKIP() << "wrote " << path;
+  }
+  const double share = difference(now, read_image_file(path));
+  if (share > kShare) write_png(::testing::TempDir() + golden.file + ".png", now);
+  EXPECT_LE(share, kShare) << "the picture as it is now: " << ::testing::TempDir() << golden.file
+                           << ".png";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Demos, GoldenPicture,
+    ::testing::Values(Golden{"teapot", "teapot", 8, ""},
+                      Golden{"teapot-wireframe", "teapot", 4, "0 key w\n0 key d\n"},
+                      Golden{"retrace", "retrace", 40, "2 key ]\n2 key ]\n2 key ]\n2 key ]\n"},
+                      Golden{"frame-buffer", "frame-buffer", 6,
+                             "1 key Left\n1 key Left\n1 key Left\n"},
+                      Golden{"frame-buffer-torn", "frame-buffer", 20, "0 key 3\n0 key f\n"},
+                      Golden{"pipeline", "pipeline", 3, ""}),
+    [](const auto& golden) {
+      std::string name = golden.param.file;
+      std::erase(name, '-');
+      return name;
+    });
+
+TEST(GoldenComparison, SeesADifferenceAndForgivesATrifle) {
+  Image<Srgb8> a(100, 100, {90, 90, 90, 255}), b = a;
+  for (int i = 0; i < 100; ++i) b.at(i, 5).g = 93;
+  EXPECT_EQ(difference(a, b), 0);
+  for (int i = 0; i < 21; ++i) b.at(i, 5).g = 94;
+  EXPECT_GT(difference(a, b), kShare);
+  EXPECT_EQ(difference(a, Image<Srgb8>(100, 99)), 1);
+}
+
+}  // namespace
+}  // namespace kinescope

@@ -1,0 +1,127 @@
+// The real program in a real window, on an X server without a screen.
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+#include "demo_testing.h"
+#include "program_run.h"
+#include "virtual_display.h"
+
+namespace kinescope {
+namespace {
+
+using test::Child;
+using test::VirtualDisplay;
+
+constexpr double kPatience = 60;  // seconds, for a slow machine
+
+double mean_code(const Image<Srgb8>& picture) {
+  double sum = 0;
+  for (const Srgb8 c : picture.pixels()) sum += c.r + c.g + c.b;
+  return picture.empty() ? 0 : sum / (3.0 * static_cast<double>(picture.pixels().size()));
+}
+
+/// The share of pixels that differ by more than a few codes.
+double changed(const Image<Srgb8>& a, const Image<Srgb8>& b) {
+  if (a.pixels().size() != b.pixels().size()) return 1;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+    const Srgb8 p = a.pixels()[i], q = b.pixels()[i];
+    count += std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b) > 12;
+  }
+  return static_cast<double>(count) / static_cast<double>(a.pixels().size());
+}
+
+class Window : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!VirtualDisplay::available()) {
+      if (std::getenv("KINESCOPE_REQUIRE_DATA") != nullptr)
+        FAIL() << "Xvfb, xdotool or import missing";
+      GTEST_SKIP() << "needs Xvfb, xdotool and ImageMagick's import";
+    }
+    display_.emplace(640, 480);
+    ASSERT_FALSE(display_->name().empty()) << "Xvfb did not start";
+  }
+
+  void start(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), KINESCOPE_BIN_DIR "/kinescope");
+    arguments.insert(arguments.end(), {"--size", "640x480"});
+    program_.emplace(arguments,
+                     std::vector<std::string>{"DISPLAY=" + display_->name(), "SDL_VIDEODRIVER=x11",
+                                              "SDL_AUDIODRIVER=dummy"},
+                     folder_.path().string());
+  }
+  void key(const std::string& name) { display_->tool("xdotool key " + name); }
+
+  /// Looks until the screen is as wanted, or patience ends.
+  bool until(const std::function<bool(const Image<Srgb8>&)>& wanted) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kPatience);
+    while (std::chrono::steady_clock::now() < end) {
+      shot_ = display_->screenshot();
+      if (wanted(shot_)) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return false;
+  }
+  bool until_shown() {
+    return until([](const Image<Srgb8>& shot) { return mean_code(shot) > 15; });
+  }
+
+  test::TemporaryFolder folder_;
+  std::optional<VirtualDisplay> display_;
+  std::optional<Child> program_;
+  Image<Srgb8> shot_;
+};
+
+TEST_F(Window, ShowsTheTeapotAndAnswersKeys) {
+  start({"demo", "teapot"});
+  ASSERT_TRUE(until_shown()) << "the screen stayed dark";
+  EXPECT_LT(mean_code(shot_), 120);
+  // Copper in the middle, night in the corner.
+  const Srgb8 middle = shot_.at(320, 260), corner = shot_.at(8, 8);
+  EXPECT_GT(middle.r, middle.b + 40);
+  EXPECT_LT(corner.r, 40);
+
+  key("space");  // from here only keys change the picture
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ASSERT_TRUE(until([&](const auto&) { return true; }));
+  const Image<Srgb8> paused = shot_;
+  key("Tab");
+  EXPECT_TRUE(until([&](const auto& shot) { return changed(shot, paused) > 0.1; })) << "no panel";
+  key("Tab");
+  EXPECT_TRUE(until([&](const auto& shot) { return changed(shot, paused) < 0.01; }));
+  key("question");
+  EXPECT_TRUE(until([&](const auto& shot) { return changed(shot, paused) > 0.1; })) << "no help";
+  key("question");
+  key("w");
+  key("period");
+  key("period");
+  EXPECT_TRUE(until([&](const auto& shot) { return mean_code(shot) < mean_code(paused) * 0.85; }))
+      << "no wireframe";
+  key("s");
+  EXPECT_FALSE(program_->wait(0.5)) << "it left too early";
+  key("Escape");
+  EXPECT_EQ(program_->wait(kPatience), 0);
+  EXPECT_EQ(folder_.files(), std::vector<std::string>{"kinescope-teapot-0001.png"});
+}
+
+TEST_F(Window, GalleryStartsADemoAndEscapeReturns) {
+  start({});
+  ASSERT_TRUE(until_shown());
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  const Image<Srgb8> gallery = display_->screenshot();
+  key("Right");
+  key("Down");
+  key("Return");  // pipeline: four panes
+  ASSERT_TRUE(until([&](const auto& shot) { return changed(shot, gallery) > 0.2; }));
+  key("Escape");
+  ASSERT_TRUE(until([&](const auto& shot) { return changed(shot, gallery) < 0.2; }));
+  EXPECT_FALSE(program_->wait(0.2)) << "Escape left the gallery too";
+  key("Escape");
+  EXPECT_EQ(program_->wait(kPatience), 0);
+}
+
+}  // namespace
+}  // namespace kinescope
