@@ -49,7 +49,8 @@ void AddLight(int n, float scale, const float* table, const float* state, float*
 
 void ExciteSlowTerm(int n, const SlowTermStep& step, const float* old_dose, float* state,
                     float* light) {
-  for_each_vector(n, [&](auto d, int i) {
+  // By value: what it writes could alias what is captured by reference.
+  for_each_vector(n, [=](auto d, int i) {
     const auto old_state = hn::LoadU(d, state + i);
     const auto old_grown = hn::MulAdd(hn::Set(d, step.old_slope), hn::LoadU(d, step.old_grown + i),
                                       hn::Set(d, step.old_constant));
@@ -111,8 +112,11 @@ void MixLayers(int n, std::span<const float* const> light, const float (*colour)
   }
 }
 
-void SpreadAcross(int width, int taps, const int* start, const float* weight, const float* in,
-                  float* out) {
+/// With the number of taps known the compiler unrolls; kTaps 0 takes any.
+template <int kTaps>
+void SpreadAcrossBy(int width, int any_taps, const int* start, const float* weight, const float* in,
+                    float* out) {
+  const int taps = kTaps > 0 ? kTaps : any_taps;
   // Red, green, blue, and a lane that the next pixel overwrites; one at a time without vectors.
   const hn::CappedTag<float, 4> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -120,6 +124,7 @@ void SpreadAcross(int width, int taps, const int* start, const float* weight, co
     for (int channel = 0; channel < 3; channel += lanes) {
       const float* from = in + 3 * start[x] + channel;
       auto sum = hn::Mul(hn::Set(d, weight[0]), hn::LoadU(d, from));
+#pragma GCC unroll 4
       for (int t = 1; t < taps; ++t) {
         sum = hn::MulAdd(hn::Set(d, weight[t]), hn::LoadU(d, from + 3 * t), sum);
       }
@@ -128,14 +133,43 @@ void SpreadAcross(int width, int taps, const int* start, const float* weight, co
   }
 }
 
-void SpreadDown(int n, std::span<const float* const> rows, const float* weight, float* out) {
+void SpreadAcross(int width, int taps, const int* start, const float* weight, const float* in,
+                  float* out) {
+  switch (taps) {
+    case 3:
+      return SpreadAcrossBy<3>(width, taps, start, weight, in, out);
+    case 4:
+      return SpreadAcrossBy<4>(width, taps, start, weight, in, out);
+    case 5:
+      return SpreadAcrossBy<5>(width, taps, start, weight, in, out);
+    default:
+      return SpreadAcrossBy<0>(width, taps, start, weight, in, out);
+  }
+}
+
+template <int kRows>
+void SpreadDownBy(int n, const float* const* rows, int any_count, const float* weight, float* out) {
+  const int count = kRows > 0 ? kRows : any_count;
   for_each_vector(n, [=](auto d, int i) {
     auto sum = hn::Mul(hn::Set(d, weight[0]), hn::LoadU(d, rows[0] + i));
-    for (std::size_t r = 1; r < rows.size(); ++r) {
+#pragma GCC unroll 4
+    for (int r = 1; r < count; ++r) {
       sum = hn::MulAdd(hn::Set(d, weight[r]), hn::LoadU(d, rows[r] + i), sum);
     }
     hn::StoreU(sum, d, out + i);
   });
+}
+
+void SpreadDown(int n, std::span<const float* const> rows, const float* weight, float* out) {
+  const int count = static_cast<int>(rows.size());
+  switch (count) {
+    case 3:
+      return SpreadDownBy<3>(n, rows.data(), count, weight, out);
+    case 4:
+      return SpreadDownBy<4>(n, rows.data(), count, weight, out);
+    default:
+      return SpreadDownBy<0>(n, rows.data(), count, weight, out);
+  }
 }
 
 }  // namespace
