@@ -19,6 +19,9 @@ struct Batch {
   const std::uint16_t* x = nullptr;          ///< pixel column of each fragment
   const std::uint16_t* y = nullptr;          ///< pixel row of each fragment, from the top
   const std::uint32_t* primitive = nullptr;  ///< the fragment's source triangle in its draw call
+  /// 1 where the triangle's front is seen, -1 where its back is; null where culling leaves one
+  /// side.
+  const float* facing = nullptr;
   /// Perspective-correct attributes at the pixel's centre, in the order of the vertex rows.
   std::array<const float*, kMaxAttributes> attribute{};
   /// Texture-coordinate gradients, a pixel to the right and a pixel down; null unless the draw call

@@ -70,18 +70,24 @@ void FragmentShader::load(const FrameCalls& frame, const VisibleFragments& fragm
                           int first, int count) {
   const DrawCall& draw = frame.calls[static_cast<std::size_t>(call)];
   const std::uint32_t first_id = frame.first_id[static_cast<std::size_t>(call)];
-  for (int i = 0; i < count; ++i) {
-    const auto from = static_cast<std::size_t>(
-        order_.empty() ? first + i : order_[static_cast<std::size_t>(first + i)]);
-    const auto to = static_cast<std::size_t>(i);
-    storage_.x[to] = static_cast<std::uint16_t>(fragments.xy[from]);
-    storage_.y[to] = static_cast<std::uint16_t>(fragments.xy[from] >> 16);
-    storage_.triangle[to] = fragments.id[from] - first_id;
+  const auto size = static_cast<std::size_t>(count);
+  if (order_.empty()) {
+    unpack_fragments(fragments.id.data() + first, fragments.xy.data() + first, first_id, count,
+                     storage_);
+  } else {
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto from = static_cast<std::size_t>(order_[static_cast<std::size_t>(first) + i]);
+      storage_.x[i] = static_cast<std::uint16_t>(fragments.xy[from]);
+      storage_.y[i] = static_cast<std::uint16_t>(fragments.xy[from] >> 16);
+      storage_.triangle[i] = fragments.id[from] - first_id;
+    }
   }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const std::uint32_t triangle = storage_.triangle[i];
-    storage_.primitive[i] =
-        draw.source_triangle.empty() ? triangle : draw.source_triangle[triangle];
+  if (draw.source_triangle.empty()) {
+    std::copy_n(storage_.triangle.begin(), size, storage_.primitive.begin());
+  } else {
+    for (std::size_t i = 0; i < size; ++i) {
+      storage_.primitive[i] = draw.source_triangle[storage_.triangle[i]];
+    }
   }
 }
 
@@ -96,6 +102,7 @@ void FragmentShader::shade_group(const FrameCalls& frame, const VisibleFragments
   for (std::size_t a = 0; a < static_cast<std::size_t>(draw.attribute_count); ++a) {
     batch.attribute[a] = storage_.attribute[a].data();
   }
+  if (draw.cull == CullMode::kNone) batch.facing = storage_.facing.data();
   if (draw.texcoord_attribute >= 0) {
     batch.du_dx = storage_.gradient[0].data();
     batch.dv_dx = storage_.gradient[1].data();

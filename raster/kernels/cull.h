@@ -20,7 +20,7 @@ struct TriangleRange {
 /// Triangles that survived, up to one range of them.
 struct CulledTriangles {
   /// Boxes of less than this many pixels, both ways, are small; then medium.
-  static constexpr int kSmallPx = 4, kMediumPx = 32;
+  static constexpr int kSmallPx = 8, kMediumPx = 32;
   static constexpr std::size_t kCapacity = TriangleRange::kMaxCount + 16;
   /// Turned to positive area; raw Fixed24_8, depths in [0, 1], index in the call.
   struct Snapped {

@@ -9,6 +9,22 @@
 
 namespace kinescope {
 
+/// Of each run of fragments of one triangle: the weights of its second and third vertex as planes
+/// on the screen, each times 1/w of its vertex, and the sum of all three weights. Structure of
+/// arrays.
+struct WeightPlanes {
+  template <typename T>
+  using Runs = std::array<T, Batch::kMaxSize + 16>;
+
+  alignas(64) Runs<std::uint32_t> triangle{};
+  alignas(64) Runs<std::int32_t> first{};  ///< fragment of the batch
+  alignas(64) Runs<float> x_px{}, y_px{};  ///< anchor: the first vertex
+  alignas(64) Runs<float> w0{};            ///< the sum there: 1/w of that vertex
+  alignas(64) Runs<float> dx1{}, dy1{}, dx2{}, dy2{}, dx_sum{}, dy_sum{};  ///< a pixel
+  alignas(64) Runs<float> facing{};                                        ///< as Batch::facing
+  alignas(64) std::array<Runs<std::uint32_t>, 3> vertex{};
+};
+
 /// The arrays that a Batch points to.
 struct BatchStorage {
   /// A vector may begin at any fragment, and so end beyond the last.
@@ -17,11 +33,18 @@ struct BatchStorage {
   alignas(64) std::array<std::uint16_t, kMax> y{};
   alignas(64) std::array<std::uint32_t, kMax> triangle{};   ///< in the draw call
   alignas(64) std::array<std::uint32_t, kMax> primitive{};  ///< in its source
+  WeightPlanes planes;
+  alignas(64) std::array<float, kMax> facing{};  ///< filled where a call culls nothing
   alignas(64) std::array<std::array<float, kMax>, Batch::kMaxAttributes> attribute{};
   alignas(64) std::array<std::array<float, kMax>, 4> gradient{};  ///< du_dx, dv_dx, du_dy, dv_dy
 };
 
-/// Fills attribute and gradient of the first `size` fragments from x, y and triangle.
+/// Fills x, y and triangle from fragments in screen order.
+/// @param xy  pixels, x in the low half, y in the high; readable 16 entries beyond the last
+void unpack_fragments(const std::uint32_t* id, const std::uint32_t* xy, std::uint32_t first_id,
+                      int size, BatchStorage& batch);
+
+/// Fills facing, attribute and gradient of the first `size` fragments from x, y and triangle.
 ///
 /// A point's barycentric weights, each times 1/w of its vertex and divided by their sum, are the
 /// weights of the vertex attributes. Source: P. Heckbert and H. Moreton, "Interpolation for polygon

@@ -108,6 +108,23 @@ TEST(Rasterizer, AttributesArePerspectiveCorrect) {
   EXPECT_GT(compared, 20000);
 }
 
+TEST(Rasterizer, TellsWhichSideIsSeenWhereBothAreDrawn) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    const PerspectiveTriangle t(seed, 30);
+    Canvas canvas(80, 80);
+    DrawCall call = t.call([](const Batch& b, LinearRgba* out) {
+      for (int i = 0; i < b.size; ++i) out[i] = {b.facing[i], b.facing[i], 0, 1};
+    });
+    call.cull = CullMode::kNone;
+    const RasterStats stats = canvas.draw({&call, 1});
+    std::uint64_t right = 0;
+    for (const LinearRgba& p : std::get<Floats>(canvas.target.colour).pixels()) {
+      right += p.r == (t.area() < 0 ? 1.0f : -1.0f);  // y points down
+    }
+    EXPECT_EQ(right, stats.fragments) << seed;
+  }
+}
+
 TEST(Rasterizer, GradientsAreTheDerivativesOfTextureCoordinates) {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     const PerspectiveTriangle t(seed, 30);
