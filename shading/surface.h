@@ -44,13 +44,15 @@ struct Surface {
   std::span<const Light> lights;
   glm::vec3 ambient{0.1f};
   glm::vec3 eye{0.0f};
+  bool mirrored = false;  ///< the node mirrors: a triangle seen from its back shows its front
   bool vertex_colours = false;                ///< rows carry vertex_row::kColour
   std::span<const LitColour> triangle_light;  ///< kFlat: one a source triangle
 };
 
 /// The shader of a model, for the instruction set in use. kGouraud reads lit rows, kFlat and kUnlit
 /// any row whose texture place is at kTexcoord, the others vertex rows.
-/// Normals are made to face the eye where the material is double-sided.
+/// Where the material is double-sided, normals are turned to the side of the triangle that is seen;
+/// kGouraud, which lights vertices before any triangle is known, turns them to the eye.
 ShadeFunction shade_function(ShadingModel model);
 
 /// Gouraud's first half: vertex rows (stride as the surface says) to lit rows.

@@ -68,15 +68,20 @@ struct View {
   Vec cosine;
 };
 
-HWY_INLINE View view_of(const Surface& surface, const Vec3& position, const Vec3& normal) {
+/// Double-sided normals turn with the triangle, where it is known: near an outline the normal that
+/// is interpolated may lean away from the eye though its triangle does not.
+HWY_INLINE View view_of(const Surface& surface, const PointArrays& points, int i,
+                        const Vec3& position) {
   const Floats d;
-  View view{unit(normal), unit(sub(splat(surface.eye), position)), hn::Zero(d)};
+  View view{unit(load(points.normal, i)), unit(sub(splat(surface.eye), position)), hn::Zero(d)};
   view.cosine = dot(view.normal, view.to_eye);
   if (surface.material.double_sided) {
-    const Vec sign =
-        hn::IfThenElse(hn::Lt(view.cosine, hn::Zero(d)), hn::Set(d, -1.0f), hn::Set(d, 1.0f));
+    const Vec one = hn::Set(d, 1.0f);
+    const Vec sign = points.facing == nullptr ? hn::CopySignToAbs(one, view.cosine)
+                     : surface.mirrored       ? hn::Neg(hn::Load(d, points.facing + i))
+                                              : hn::Load(d, points.facing + i);
     view.normal = scale(view.normal, sign);
-    view.cosine = hn::Abs(view.cosine);
+    view.cosine = hn::Mul(view.cosine, sign);
   }
   return view;
 }
@@ -92,7 +97,7 @@ HWY_INLINE void illuminate(const Surface& surface, const PointArrays& points, in
   ReadyLights lights(surface.lights);
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
     const Vec3 position = load(points.position, i);
-    const View view = view_of(surface, position, load(points.normal, i));
+    const View view = view_of(surface, points, i, position);
     Vec3 diffuse = splat(surface.ambient);
     Vec3 highlight = splat(glm::vec3(0.0f));
     for (std::size_t k = 0; k < surface.lights.size(); ++k) {

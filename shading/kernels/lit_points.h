@@ -17,6 +17,7 @@ struct PointArrays {
   std::array<const float*, 3> position{};
   std::array<const float*, 3> normal{};  ///< of any length
   std::array<const float*, 3> colour{};  ///< null: white
+  const float* facing = nullptr;         ///< as Batch::facing; null: by the eye
 };
 
 /// Attribute `first` of a batch and the two after it.
@@ -31,6 +32,7 @@ inline PointArrays point_arrays(const Batch& batch, const Surface& surface) {
   points.position = three_arrays(batch, vertex_row::kPosition);
   points.normal = three_arrays(batch, vertex_row::kNormal);
   if (surface.vertex_colours) points.colour = three_arrays(batch, vertex_row::kColour);
+  points.facing = batch.facing;
   return points;
 }
 

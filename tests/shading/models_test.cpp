@@ -111,6 +111,36 @@ TEST(Models, PhongAndBlinnEqualTheScalarLawOnEveryTarget) {
   }
 }
 
+TEST(Models, DoubleSidedNormalsTurnWithTheirTriangleNotWithTheEye) {
+  // Near an outline: the normal leans away from the eye, and from a lamp beside the eye; a lamp
+  // behind shines on it.
+  std::vector<Light> lights(1);
+  lights[0].kind = LightKind::kDirectional;
+  lights[0].direction = {0, 0, -1};
+  Surface surface;
+  surface.eye = {0, 0, 8};
+  surface.ambient = glm::vec3(0);
+  surface.material.base_colour = glm::vec3(1);
+  surface.material.double_sided = true;
+  surface.lights = lights;
+  BatchArrays arrays;
+  alignas(64) float facing[Batch::kMaxSize] = {1, -1};
+  arrays.set_position(0, {0, 0, 0});
+  arrays.set_normal(0, {0.8f, 0, -0.6f});
+  arrays.set_position(1, {0, 0, 0});
+  arrays.set_normal(1, {0.8f, 0, -0.6f});
+  Batch batch = arrays.batch(2, surface, false);
+  batch.facing = facing;
+  on_every_target([&](const std::string& target) {
+    for (const bool mirrored : {false, true}) {
+      surface.mirrored = mirrored;
+      const std::vector<LinearRgba> found = shaded(ShadingModel::kPhong, batch);
+      EXPECT_NEAR(found[mirrored].r, 0.0f, 1e-5f) << target;
+      EXPECT_NEAR(found[!mirrored].r, 0.6f, 1e-5f) << target;
+    }
+  });
+}
+
 TEST(Models, HighlightsOfAllExponentsAreExact) {
   // One light in the eye's place: r.v = cos 2a, n.h = cos a for a normal turned by the angle a.
   std::vector<Light> lights(1);
