@@ -112,6 +112,7 @@ void Renderer::State::prepare(const Scene& scene, const Camera& camera,
     surface.lights = lights;
     surface.ambient = scene.ambient;
     surface.eye = shading_eye(camera);
+    surface.mirrored = mesh.world->transform.mirrors;
     surface.vertex_colours = !mesh.world->mesh->colours.empty();
   }
 }
