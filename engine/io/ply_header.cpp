@@ -102,6 +102,9 @@ PlyHeader read_ply_header(const ModelFile& file) {
       has_format = true;
     } else if (key == "element") {
       const std::string name(text.word_on_line());
+      for (const PlyElement& other : header.elements) {
+        if (other.name == name) text.fail("an element is named twice");
+      }
       header.elements.push_back({name, text.count(text.word_on_line(), "a count"), {}});
     } else if (key == "property") {
       if (header.elements.empty()) text.fail("a property comes before any element");

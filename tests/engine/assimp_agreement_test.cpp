@@ -130,6 +130,32 @@ TEST(AssimpAgreement, CountsInstances) {
   EXPECT_EQ(engine.triangles(), 121496u);
 }
 
+constexpr char kFurniture[] = "/usr/share/sweethome3d/furniture/KatorLegaz.sh3f";
+
+// Textured OBJ files as their authors' tools wrote them; the smaller ones, for the time it takes.
+TEST(AssimpAgreement, Furniture) {
+  KINESCOPE_NEED_DATA(kFurniture);
+  const fs::path folder = test_folder();
+  const std::string unzip =
+      std::string("unzip -qq -o ") + kFurniture + " -d '" + folder.string() + "' 2>&1";
+  if (std::system(unzip.c_str()) != 0) GTEST_SKIP() << "unzip is not installed";
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".obj" || entry.file_size() > 200000) continue;
+    const std::string path = entry.path().string();
+    EXPECT_EQ(our_triangles(path), assimp_triangles(path)) << path;
+    ++files;
+  }
+  EXPECT_GE(files, 24u);
+  fs::remove_all(folder);
+}
+
+TEST(AssimpAgreement, Bunny) {
+  constexpr char kBunny[] = "/usr/share/glmark2/models/bunny.obj";
+  KINESCOPE_NEED_DATA(kBunny);
+  EXPECT_EQ(our_triangles(kBunny), 69666u);
+}
+
 // glTF 1 is another format, which the same ending hides.
 TEST(AssimpAgreement, RefusesGltf1ByName) {
   KINESCOPE_NEED_DATA(kModels);

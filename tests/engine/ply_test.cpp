@@ -94,6 +94,8 @@ TEST(Ply, RefusesDamagedFilesByPlace) {
               HasSubstr("no proper length"));
   EXPECT_THAT(error_of("h.ply", replaced("4 0 1 2 3", "4000000 0 1")), HasSubstr("within a list"));
   EXPECT_THAT(error_of("i.ply", replaced("float y", "float q")), HasSubstr("lack x, y or z"));
+  EXPECT_THAT(error_of("l.ply", replaced("element face 1", "element vertex 1")),
+              HasSubstr("named twice"));
   const std::string binary = binary_square(false);
   EXPECT_THAT(error_of("j.ply", binary.substr(0, binary.size() - 5)), HasSubstr("too early"));
 }
