@@ -241,6 +241,14 @@ class Grammar {
     CLI::App& app = current();
     return app.help(&app == &app_ ? "" : app_.get_name());
   }
+  /// The word that stands where a command should, if one does.
+  std::string unknown_command() {
+    if (&current() != &app_) return {};
+    const auto words = app_.remaining();
+    const auto is_option = [](const std::string& word) { return word.starts_with('-'); };
+    if (!words.empty() && std::none_of(words.begin(), words.end(), is_option)) return words.front();
+    return {};
+  }
   std::string version() const { return app_.version() + "\n"; }
 
   Options options;
@@ -279,6 +287,9 @@ std::variant<Options, Answer> parse_command_line(int argc, const char* const* ar
   } catch (const CLI::CallForVersion&) {
     return Answer{grammar.version()};
   } catch (const CLI::ParseError& fault) {
+    if (const std::string word = grammar.unknown_command(); !word.empty()) {
+      throw Error(ErrorKind::kUsage, "no command is called \"" + word + "\"" + hint());
+    }
     throw Error(ErrorKind::kUsage, first_line(fault.what()) + hint());
   } catch (const Error& fault) {
     throw Error(ErrorKind::kUsage, fault.what() + hint());

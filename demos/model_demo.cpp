@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "demos/easel.h"
+#include "demos/gamma_correction.h"
 #include "demos/model_view.h"
 #include "demos/monitor.h"
 #include "demos/orbit.h"
@@ -50,6 +51,7 @@ class ModelDemo : public ClonableDemo<ModelDemo> {
              toggle_knob("tube", "d", !bare, "the display: its tube, or the bare picture")}),
         exhibit_(std::move(exhibit)),
         monitor_(exhibit_->tube, PixelFormat::kXrgb8888, whole_picture(*this)),
+        correct_(exhibit_->tube.gamma),
         easel_(std::make_shared<Easel>(setup.studio->workers)) {
     const glm::vec3 sight = exhibit_->camera.eye - exhibit_->camera.look_at;
     orbit_.distance = glm::length(sight);
@@ -77,7 +79,7 @@ class ModelDemo : public ClonableDemo<ModelDemo> {
     }
     const VideoMode& mode = monitor_.scan().mode();
     if (monitor_.frame_begins(step)) {
-      monitor_.show(render(mode.horizontal.active, mode.vertical.active));
+      monitor_.show(correct_(render(mode.horizontal.active, mode.vertical.active)));
     }
     monitor_.expose(step, studio().workers, picture);
   }
@@ -98,6 +100,7 @@ class ModelDemo : public ClonableDemo<ModelDemo> {
 
   std::shared_ptr<const Exhibit> exhibit_;
   Monitor monitor_;
+  GammaCorrection correct_;
   Orbit orbit_;
   std::shared_ptr<Easel> easel_;
 };

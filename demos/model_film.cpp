@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -122,9 +123,7 @@ void ModelFilm::shoot(Film* film) {
 void ModelFilm::shoot_bare(Film* film, int frame) {
   draw(plan_.turn_rad_per_s * frame * plan_.rate.period().count());
   if (!deep_) return finish(film, frame, target_.srgb8());
-  expose_.start();
   const auto picture = encode_picture16(std::get<Image<LinearRgba>>(target_.colour), workers_);
-  expose_.stop();
   finish(film, frame, picture);
 }
 
@@ -142,13 +141,11 @@ void ModelFilm::shoot_tube(Film* film, int frame) {
   }
   const Seconds begin(frame * plan_.rate.period().count() - first_s);
   const Exposure exposure{begin, begin + plan_.shutter};
-  expose_.start();
   const Image<LinearRgb>& light = camera_->expose(exposure);
   const auto gain = ExposureGain::average(exposure, plan_.tube.mode.frame_period());
   const auto encode = [&](auto picture) {
     encode_light(light, gain, workers_, picture);
     picture = centre_on_black(std::move(picture), plan_.size);
-    expose_.stop();
     finish(film, frame, picture);
   };
   deep_ ? encode(Image<Srgb16>()) : encode(Image<Srgb8>());
@@ -158,7 +155,8 @@ void ModelFilm::write_times(JsonWriter& json) const {
   json.key("frame_ms");
   frame_.write(json);
   json.key("stages_ms").begin_object();
-  json.member("draw", draw_.median_ms()).member("display", expose_.median_ms());
+  json.member("draw", draw_.median_ms());
+  json.member("display", std::max(0.0, frame_.median_ms() - draw_.median_ms()));
   json.member("write", write_.median_ms()).end_object();
 }
 

@@ -66,7 +66,7 @@ class ModelFilm {
   RenderStats last_stats_;
   std::uint64_t last_colour_hash_ = 0;
   std::vector<FrameFigures> figures_;
-  Stopwatch frame_, draw_, expose_, write_;
+  Stopwatch frame_, draw_, write_;
 };
 
 }  // namespace kinescope

@@ -34,6 +34,7 @@ TubeCamera::TubeCamera(const TubeSettings& settings, int width, int height, Sour
     : settings_(settings),
       source_(std::move(source)),
       workers_(workers),
+      correct_(settings.gamma),
       buffer_(settings.mode.horizontal.active, settings.mode.vertical.active,
               PixelFormat::kXrgb8888, 1),
       tube_(settings, width, height),
@@ -43,7 +44,7 @@ TubeCamera::TubeCamera(const TubeSettings& settings, int width, int height, Sour
 
 void TubeCamera::show(std::int64_t refresh) {
   refresh_ = refresh;
-  buffer_.store(0, source_(refresh));
+  buffer_.store(0, correct_(source_(refresh)));
 }
 
 void TubeCamera::settle() {

@@ -1,10 +1,11 @@
 // A camera before a raster tube: moving pictures go onto the tube refresh by refresh, exposures of
-// its light come out.
+// its light come out. Pictures are gamma-corrected on their way to the frame buffer.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 
+#include "demos/gamma_correction.h"
 #include "display/exposure.h"
 #include "display/raster_tube.h"
 
@@ -37,6 +38,7 @@ class TubeCamera {
   TubeSettings settings_;
   Source source_;
   Workers& workers_;
+  GammaCorrection correct_;
   FrameBuffer buffer_;
   RasterTube tube_;
   Seconds period_;
