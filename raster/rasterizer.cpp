@@ -26,6 +26,7 @@ struct alignas(64) WorkerState {
   CulledTriangles culled;
   Bins bins;
   TileBuffer tile;
+  std::vector<const TriangleRecord*> records;  ///< of the tile
   VisibleFragments visible;
   FragmentShader shader;
   AlignedVector<LinearRgba> row;
@@ -114,14 +115,21 @@ void Rasterizer::Frame::bin_range(const TriangleRange& range, WorkerState& state
 void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash,
                                   WorkerState& state) const {
   state.tile.begin(grid, tile, target.samples);
+  const auto at = static_cast<std::size_t>(tile);
+  state.records.clear();
   for (const WorkerState& from : states) {
-    const ChunkList<RecordChunk>& list = from.bins.records[static_cast<std::size_t>(tile)];
-    for (const RecordChunk* chunk = list.first; chunk != nullptr; chunk = chunk->next) {
-      draw_records({chunk->records.data(), static_cast<std::size_t>(chunk->size)}, pattern,
-                   state.tile);
+    for (const RecordChunk* c = from.bins.records[at].first; c != nullptr; c = c->next) {
+      for (int i = 0; i < c->size; ++i) {
+        state.records.push_back(&c->records[static_cast<std::size_t>(i)]);
+      }
     }
-    draw_medium_triangles(from.bins.medium[static_cast<std::size_t>(tile)], pattern, state.tile);
-    merge_fragments(from.bins.fragments[static_cast<std::size_t>(tile)], state.tile);
+  }
+  std::sort(state.records.begin(), state.records.end(),
+            [](const auto* a, const auto* b) { return a->nearest < b->nearest; });
+  draw_records(state.records, pattern, state.tile);
+  for (const WorkerState& from : states) {
+    draw_medium_triangles(from.bins.medium[at], pattern, state.tile);
+    merge_fragments(from.bins.fragments[at], state.tile);
   }
   if (want_hash) state.stats.visibility_hash += tile_hash(state.tile, target.width);
   gather_visible(state.tile, state.visible);

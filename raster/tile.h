@@ -17,6 +17,7 @@ struct TileBuffer {
   int stride = 0;  ///< of a row
   int plane = 0;   ///< samples of one plane
   int samples = 1;
+  float farthest = 1;               ///< no sample shows anything beyond this depth
   AlignedVector<float> depth;       ///< 1 where nothing is visible
   AlignedVector<std::uint32_t> id;  ///< kNothing there
 
@@ -25,6 +26,7 @@ struct TileBuffer {
     stride = grid.tile_width;
     plane = grid.tile_width * grid.tile_height;
     samples = sample_count;
+    farthest = 1;
     const auto total = static_cast<std::size_t>(plane) * static_cast<std::size_t>(samples);
     depth.assign(total, 1.0f);
     id.assign(total, kNothing);

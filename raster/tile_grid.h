@@ -10,6 +10,7 @@ namespace kinescope {
 struct PixelRect {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   bool empty() const { return x0 >= x1 || y0 >= y1; }
+  bool operator==(const PixelRect&) const = default;
 };
 
 struct TileGrid {

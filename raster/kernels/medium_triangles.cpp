@@ -160,6 +160,7 @@ void DrawMediumTriangles(const ChunkList<MediumChunk>& triangles,
       for (std::size_t s = 0; s < pattern.size(); ++s) {
         const std::size_t plane = s * static_cast<std::size_t>(tile.plane);
         for (std::size_t k = 0; k < count; ++k) {
+          if (group.nearest[k] > tile.farthest) continue;
           draw_one(group, k, chunk->id[first + k], pattern[s], tile.rect, tile.stride,
                    tile.depth.data() + plane, tile.id.data() + plane);
         }

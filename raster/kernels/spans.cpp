@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/kernels/spans.cpp"
@@ -74,9 +75,11 @@ HWY_INLINE void narrow(const RectEdge& edge, int width, int height, RowEnds& end
   }
 }
 
-/// Sets the rows' ends for one sample. False if no sample of the rectangle is covered.
-HWY_INLINE bool find_ends(const TriangleRecord& t, const PixelRect& rect, SampleOffset sample,
-                          RowEnds& ends) {
+enum class Cover { kNone, kPart, kAll };
+
+/// Sets the rows' ends for one sample; says how much of the rectangle is covered.
+HWY_INLINE Cover find_ends(const TriangleRecord& t, const PixelRect& rect, SampleOffset sample,
+                           RowEnds& ends) {
   const I i;
   const int width = rect.x1 - rect.x0, height = rect.y1 - rect.y0;
   const std::int64_t px = std::int64_t{rect.x0} * 256 + sample.x.raw();
@@ -95,7 +98,7 @@ HWY_INLINE bool find_ends(const TriangleRecord& t, const PixelRect& rect, Sample
         start + std::min<std::int64_t>(along_x, 0) + std::min<std::int64_t>(along_y, 0);
     const std::int64_t most =
         start + std::max<std::int64_t>(along_x, 0) + std::max<std::int64_t>(along_y, 0);
-    if (most < 0) return false;
+    if (most < 0) return Cover::kNone;
     if (least >= 0) continue;
     crossing[static_cast<std::size_t>(crossings++)] = {-dy, dx, static_cast<std::int32_t>(start)};
   }
@@ -107,7 +110,7 @@ HWY_INLINE bool find_ends(const TriangleRecord& t, const PixelRect& rect, Sample
   for (int e = 0; e < crossings; ++e) {
     narrow(crossing[static_cast<std::size_t>(e)], width, height, ends);
   }
-  return true;
+  return crossings == 0 ? Cover::kAll : Cover::kPart;
 }
 
 /// Depth-tests and writes one span: columns [x0, x1) of the screen.
@@ -139,16 +142,44 @@ HWY_INLINE void draw_span(const TriangleRecord& t, float row_z, float anchor_x, 
   }
 }
 
-void DrawRecords(std::span<const TriangleRecord> records, std::span<const SampleOffset> pattern,
-                 TileBuffer& tile) {
+/// Bounds on the depth of all samples in a rectangle. DepthPlane::at only multiplies by a constant,
+/// adds and clamps, each rounded: so it never falls where the exact plane rises, and its extremes
+/// are at corners.
+struct DepthRange {
+  float nearest, farthest;
+};
+
+HWY_INLINE DepthRange depth_range(const TriangleRecord& t, const PixelRect& rect) {
+  const DepthPlane plane = {Fixed24_8::from_raw(t.x[0]).to_float(),
+                            Fixed24_8::from_raw(t.y[0]).to_float(),
+                            t.z,
+                            t.dz_dx,
+                            t.dz_dy,
+                            t.nearest,
+                            t.farthest};
+  float left = static_cast<float>(rect.x0), right = static_cast<float>(rect.x1);
+  float top = static_cast<float>(rect.y0), bottom = static_cast<float>(rect.y1);
+  if (t.dz_dx < 0) std::swap(left, right);
+  if (t.dz_dy < 0) std::swap(top, bottom);
+  return {plane.at(left, top), plane.at(right, bottom)};
+}
+
+void DrawRecords(std::span<const TriangleRecord* const> records,
+                 std::span<const SampleOffset> pattern, TileBuffer& tile) {
   RowEnds ends;
-  for (const TriangleRecord& t : records) {
+  for (const TriangleRecord* const record : records) {
+    const TriangleRecord& t = *record;
     const PixelRect rect = {std::max<int>(t.x0, tile.rect.x0), std::max<int>(t.y0, tile.rect.y0),
                             std::min<int>(t.x1, tile.rect.x1), std::min<int>(t.y1, tile.rect.y1)};
+    const DepthRange range = depth_range(t, rect);
+    if (range.nearest > tile.farthest) continue;
+    bool covers_tile = rect == tile.rect;
     const float anchor_x = Fixed24_8::from_raw(t.x[0]).to_float();
     const float anchor_y = Fixed24_8::from_raw(t.y[0]).to_float();
     for (std::size_t s = 0; s < pattern.size(); ++s) {
-      if (!find_ends(t, rect, pattern[s], ends)) continue;
+      const Cover cover = find_ends(t, rect, pattern[s], ends);
+      covers_tile = covers_tile && cover == Cover::kAll;
+      if (cover == Cover::kNone) continue;
       const float sample_x = pattern[s].x.to_float(), sample_y = pattern[s].y.to_float();
       for (int y = rect.y0; y < rect.y1; ++y) {
         const auto r = static_cast<std::size_t>(y - rect.y0);
@@ -160,6 +191,7 @@ void DrawRecords(std::span<const TriangleRecord> records, std::span<const Sample
                   tile.depth.data() + at, tile.id.data() + at, tile.rect.x0);
       }
     }
+    if (covers_tile) tile.farthest = std::min(tile.farthest, range.farthest);
   }
 }
 
@@ -171,8 +203,8 @@ namespace kinescope {
 
 HWY_EXPORT(DrawRecords);
 
-void draw_records(std::span<const TriangleRecord> records, std::span<const SampleOffset> pattern,
-                  TileBuffer& tile) {
+void draw_records(std::span<const TriangleRecord* const> records,
+                  std::span<const SampleOffset> pattern, TileBuffer& tile) {
   HWY_DYNAMIC_DISPATCH(DrawRecords)(records, pattern, tile);
 }
 

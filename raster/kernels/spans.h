@@ -9,8 +9,9 @@
 
 namespace kinescope {
 
-/// Visibility of the records' samples in the tile.
-void draw_records(std::span<const TriangleRecord> records, std::span<const SampleOffset> pattern,
-                  TileBuffer& tile);
+/// Visibility of the records' samples in the tile. Cheapest with the nearest first: one that covers
+/// the tile hides what lies behind it.
+void draw_records(std::span<const TriangleRecord* const> records,
+                  std::span<const SampleOffset> pattern, TileBuffer& tile);
 
 }  // namespace kinescope

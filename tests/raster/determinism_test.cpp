@@ -1,6 +1,8 @@
 // One scene, one image: for threads, tiles, instruction sets, and against the scalar reference.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -105,6 +107,40 @@ TEST(Determinism, DepthEqualsTheReferenceBitByBit) {
   }
 }
 
+/// Layers over the whole target, some crossing, some at one depth: what hides whole tiles must not
+/// hide a sample that the reference shows.
+TEST(Determinism, LayersInAnyOrderEqualTheReference) {
+  for (const int samples : {1, 4}) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
+      RandomTriangles random(seed);
+      TriangleSoup soup;
+      for (int i = 0; i < 24; ++i) {
+        const float base = seed % 3 == 0   ? static_cast<float>(24 - i) / 26
+                           : seed % 3 == 1 ? static_cast<float>(i) / 26
+                                           : 0.5f;
+        const float tilt = i % 3 == 0 ? 0.0f : 0.03f;
+        const auto corner = [&](float x, float y) {
+          return TestVertex{x, y, base + random.between(0, tilt)};
+        };
+        const auto a = corner(-9, -9), b = corner(-9, 120), c = corner(170, 120);
+        soup.add(a, b, c);
+        soup.add(a, c, corner(170, -9));
+        for (int k = 0; k < 20; ++k) {
+          const auto t = random.triangle(random.between(0, 160), random.between(0, 110), 12);
+          soup.add(t[0], t[1], t[2]);
+        }
+      }
+      const DrawCall call = soup.call(nullptr);
+      Workers workers(2);
+      Rasterizer rasterizer(workers);
+      RenderTarget target(160, 110, samples);
+      EXPECT_EQ(rasterizer.draw(target, {&call, 1}, true).visibility_hash,
+                draw_reference(160, 110, samples, {&call, 1}).visibility_hash)
+          << samples << " samples, seed " << seed;
+    }
+  }
+}
+
 TEST(Determinism, SameForAnyThreadCount) {
   for (const int samples : {1, 4, 8}) {
     const TestScene scene(3000, 200, 160, 11);
@@ -158,29 +194,39 @@ TEST(Determinism, TheHashSeesOneTriangleAndOneBitOfDepth) {
   EXPECT_EQ(rasterizer.draw(target, {}, true).visibility_hash, 0u);
 }
 
-std::mutex seen_mutex;
-std::set<std::thread::id> seen_threads;
+/// Threads that shade wait for one another here.
+struct Meeting {
+  std::mutex mutex;
+  std::condition_variable arrival;
+  std::set<std::thread::id> seen;
+  std::size_t wanted = 0;
+};
 
-void shade_and_note_thread(const Batch& batch, LinearRgba* out) {
-  {
-    const std::lock_guard lock(seen_mutex);
-    seen_threads.insert(std::this_thread::get_id());
-  }
-  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+void shade_when_all_have_met(const Batch& batch, LinearRgba* out) {
+  Meeting& meeting = *static_cast<Meeting*>(const_cast<void*>(batch.constants));
+  std::unique_lock lock(meeting.mutex);
+  meeting.seen.insert(std::this_thread::get_id());
+  meeting.arrival.notify_all();
+  // Waits long only where the test is about to fail.
+  meeting.arrival.wait_for(lock, std::chrono::seconds(20),
+                           [&] { return meeting.seen.size() >= meeting.wanted; });
+  meeting.wanted = 0;
   for (int i = 0; i < batch.size; ++i) out[i] = {};
 }
 
 TEST(Determinism, AsManyThreadsShadeAsWereAskedFor) {
   TriangleSoup soup;
   soup.add({0, 0}, {0, 600}, {600, 0});
-  for (const int threads : {1, 2, 8}) {
-    seen_threads.clear();
-    Workers workers(threads);
+  for (const std::size_t threads : {1u, 2u, 8u}) {
+    Meeting meeting;
+    meeting.wanted = threads;
+    Workers workers(static_cast<int>(threads));
     Rasterizer rasterizer(workers, {32, 32});
     RenderTarget target(300, 300);
-    const DrawCall call = soup.call(shade_and_note_thread);
+    DrawCall call = soup.call(shade_when_all_have_met);
+    call.constants = &meeting;
     rasterizer.draw(target, {&call, 1});
-    EXPECT_EQ(seen_threads.size(), static_cast<std::size_t>(threads));
+    EXPECT_EQ(meeting.seen.size(), threads);
   }
 }
 
