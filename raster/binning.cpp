@@ -49,16 +49,14 @@ void append(const CulledTriangles::Snapped& from, std::size_t i, std::uint32_t f
 
 PixelRect pixel_box(const SnappedTriangle& t, std::span<const SampleOffset> pattern,
                     const TileGrid& grid) {
-  const auto by_x = [](const SampleOffset& a, const SampleOffset& b) { return a.x < b.x; };
-  const auto by_y = [](const SampleOffset& a, const SampleOffset& b) { return a.y < b.y; };
-  const auto [left, right] = std::minmax_element(pattern.begin(), pattern.end(), by_x);
-  const auto [top, bottom] = std::minmax_element(pattern.begin(), pattern.end(), by_y);
+  const SampleLimits limits = sample_limits(pattern);
   const auto [x_min, x_max] = std::minmax({t.x[0], t.x[1], t.x[2]});
   const auto [y_min, y_max] = std::minmax({t.y[0], t.y[1], t.y[2]});
   const auto first = [](std::int32_t raw, Fixed24_8 o) { return (raw - o.raw() + 255) >> 8; };
   const auto end = [](std::int32_t raw, Fixed24_8 o) { return ((raw - o.raw()) >> 8) + 1; };
-  return {std::max(first(x_min, right->x), 0), std::max(first(y_min, bottom->y), 0),
-          std::min(end(x_max, left->x), grid.width), std::min(end(y_max, top->y), grid.height)};
+  return {std::max(first(x_min, limits.most_x), 0), std::max(first(y_min, limits.most_y), 0),
+          std::min(end(x_max, limits.least_x), grid.width),
+          std::min(end(y_max, limits.least_y), grid.height)};
 }
 
 bool bin_triangle(const SnappedTriangle& t, std::uint32_t id, std::span<const SampleOffset> pattern,

@@ -1,5 +1,6 @@
 #include "raster/sample_pattern.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -34,6 +35,15 @@ std::span<const SampleOffset> sample_pattern(int samples) {
       throw Error(ErrorKind::kUsage,
                   "a pixel has 1, 4 or 8 samples, not " + std::to_string(samples));
   }
+}
+
+SampleLimits sample_limits(std::span<const SampleOffset> pattern) {
+  SampleLimits out = {pattern[0].x, pattern[0].x, pattern[0].y, pattern[0].y};
+  for (const SampleOffset& o : pattern) {
+    out = {std::min(out.least_x, o.x), std::max(out.most_x, o.x), std::min(out.least_y, o.y),
+           std::max(out.most_y, o.y)};
+  }
+  return out;
 }
 
 }  // namespace kinescope

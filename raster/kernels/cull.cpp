@@ -92,8 +92,10 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits, VU v
   const Corner a = load_corner(call.vertices, v0, drawable);
   const Corner b = load_corner(call.vertices, v1, drawable);
   const Corner c = load_corner(call.vertices, v2, drawable);
-  const Extent ex = extent_of(a.x, b.x, c.x, limits.least_x, limits.most_x);
-  const Extent ey = extent_of(a.y, b.y, c.y, limits.least_y, limits.most_y);
+  const Extent ex =
+      extent_of(a.x, b.x, c.x, limits.samples.least_x.raw(), limits.samples.most_x.raw());
+  const Extent ey =
+      extent_of(a.y, b.y, c.y, limits.samples.least_y.raw(), limits.samples.most_y.raw());
   const VI zero = hn::Zero(i), width = hn::Set(i, limits.width), height = hn::Set(i, limits.height);
   const auto touches = hn::And(hn::Lt(hn::Max(ex.first, zero), hn::Min(ex.end, width)),
                                hn::Lt(hn::Max(ey.first, zero), hn::Min(ey.end, height)));
@@ -156,13 +158,7 @@ HWY_EXPORT(CullTriangles);
 void cull_triangles(const DrawCall& call, std::uint32_t first, std::uint32_t count,
                     std::span<const SampleOffset> pattern, const TileGrid& grid,
                     CulledTriangles& out) {
-  CullLimits limits{256, 0, 256, 0, grid.width, grid.height, call.cull};
-  for (const SampleOffset& o : pattern) {
-    limits.least_x = std::min(limits.least_x, o.x.raw());
-    limits.most_x = std::max(limits.most_x, o.x.raw());
-    limits.least_y = std::min(limits.least_y, o.y.raw());
-    limits.most_y = std::max(limits.most_y, o.y.raw());
-  }
+  const CullLimits limits{sample_limits(pattern), grid.width, grid.height, call.cull};
   out.small.size = out.medium.size = out.large_size = 0;
   HWY_DYNAMIC_DISPATCH(CullTriangles)(call, limits, first, count, out);
 }

@@ -39,8 +39,8 @@ struct CulledTriangles {
 
 /// What does not change from triangle to triangle: used by the kernel.
 struct CullLimits {
-  std::int32_t least_x, most_x, least_y, most_y;  ///< sample offsets, raw
-  std::int32_t width, height;                     ///< of the target, pixels
+  SampleLimits samples;
+  std::int32_t width, height;  ///< of the target, pixels
   CullMode mode;
 };
 

@@ -8,16 +8,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/set_up-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using F = hn::CappedTag<float, 8>;
-using I = hn::RebindToSigned<F>;
-using U = hn::RebindToUnsigned<F>;
-using VF = hn::Vec<F>;
-using VI = hn::Vec<I>;
-
 /// Several triangles, set up at once, each to be drawn alone.
 struct SetUp {
   static constexpr std::size_t kLanes = 8;
@@ -30,64 +24,36 @@ struct SetUp {
   alignas(32) Lanes<float> anchor_x, anchor_y, z, dz_dx, dz_dy, nearest, farthest;
 };
 
-HWY_INLINE void store_edge(VI xa, VI ya, VI xb, VI yb, VI corner_x, VI corner_y, std::size_t edge,
-                           SetUp& out) {
-  const I i;
-  const VI dx = hn::Sub(xb, xa), dy = hn::Sub(yb, ya), zero = hn::Zero(i);
-  const auto top_left = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
-  const VI e = hn::Sub(hn::Mul(dx, hn::Sub(corner_y, ya)), hn::Mul(dy, hn::Sub(corner_x, xa)));
-  hn::Store(hn::Sub(e, hn::IfThenZeroElse(top_left, hn::Set(i, 1))), i, out.e[edge].data());
-  hn::Store(dx, i, out.dx[edge].data());
-  hn::Store(dy, i, out.dy[edge].data());
-}
-
-/// The same operations as set_up_triangle's, in its order.
-HWY_INLINE void store_depth(const MediumChunk& t, std::size_t k, VI x1, VI y1, VI x2, VI y2,
-                            SetUp& out) {
-  const F f;
-  const VF z0 = hn::LoadU(f, t.z[0].data() + k);
-  const VF z1 = hn::LoadU(f, t.z[1].data() + k);
-  const VF z2 = hn::LoadU(f, t.z[2].data() + k);
-  const VF z10 = hn::Sub(z1, z0), z20 = hn::Sub(z2, z0);
-  const VI area = hn::Sub(hn::Mul(x1, y2), hn::Mul(x2, y1));
-  const VF inverse = hn::Div(hn::Set(f, 1.0f), hn::ConvertTo(f, area));
-  const VF num_x = hn::Sub(hn::Mul(z10, hn::ConvertTo(f, y2)), hn::Mul(z20, hn::ConvertTo(f, y1)));
-  const VF num_y = hn::Sub(hn::Mul(z20, hn::ConvertTo(f, x1)), hn::Mul(z10, hn::ConvertTo(f, x2)));
-  const VF to_pixels = hn::Set(f, 256.0f);
-  hn::Store(z0, f, out.z.data());
-  hn::Store(hn::Mul(hn::Mul(num_x, inverse), to_pixels), f, out.dz_dx.data());
-  hn::Store(hn::Mul(hn::Mul(num_y, inverse), to_pixels), f, out.dz_dy.data());
-  hn::Store(hn::Min(hn::Min(z0, z1), z2), f, out.nearest.data());
-  hn::Store(hn::Max(hn::Max(z0, z1), z2), f, out.farthest.data());
-}
-
 HWY_INLINE void set_up(const MediumChunk& t, std::size_t k, const PixelRect& rect, SetUp& out) {
   const F f;
   const I i;
-  const VI x0 = hn::LoadU(i, t.x[0].data() + k), y0 = hn::LoadU(i, t.y[0].data() + k);
-  const VI x1 = hn::LoadU(i, t.x[1].data() + k), y1 = hn::LoadU(i, t.y[1].data() + k);
-  const VI x2 = hn::LoadU(i, t.x[2].data() + k), y2 = hn::LoadU(i, t.y[2].data() + k);
+  const Corners c = load_corners(t, k);
   // The pixels that the box touches, whatever the samples' places in them.
-  const auto first = [&](VI a, VI b, VI c, int least) HWY_ATTR {
-    return hn::Max(hn::ShiftRight<8>(hn::Min(hn::Min(a, b), c)), hn::Set(i, least));
-  };
-  const auto end = [&](VI a, VI b, VI c, int most) HWY_ATTR {
-    return hn::Min(hn::Add(hn::ShiftRight<8>(hn::Max(hn::Max(a, b), c)), hn::Set(i, 1)),
-                   hn::Set(i, most));
-  };
-  const VI box_x = first(x0, x1, x2, rect.x0), box_y = first(y0, y1, y2, rect.y0);
+  const VI box_x = hn::Max(hn::ShiftRight<8>(least(c.x)), hn::Set(i, rect.x0));
+  const VI box_y = hn::Max(hn::ShiftRight<8>(least(c.y)), hn::Set(i, rect.y0));
+  const VI one = hn::Set(i, 1);
+  const VI end_x = hn::Min(hn::Add(hn::ShiftRight<8>(most(c.x)), one), hn::Set(i, rect.x1));
+  const VI end_y = hn::Min(hn::Add(hn::ShiftRight<8>(most(c.y)), one), hn::Set(i, rect.y1));
   hn::Store(box_x, i, out.x0.data());
   hn::Store(box_y, i, out.y0.data());
-  hn::Store(end(x0, x1, x2, rect.x1), i, out.x1.data());
-  hn::Store(end(y0, y1, y2, rect.y1), i, out.y1.data());
+  hn::Store(end_x, i, out.x1.data());
+  hn::Store(end_y, i, out.y1.data());
   const VI corner_x = hn::ShiftLeft<8>(box_x), corner_y = hn::ShiftLeft<8>(box_y);
-  store_edge(x0, y0, x1, y1, corner_x, corner_y, 0, out);
-  store_edge(x1, y1, x2, y2, corner_x, corner_y, 1, out);
-  store_edge(x2, y2, x0, y0, corner_x, corner_y, 2, out);
-  const VF to_px = hn::Set(f, 1.0f / 256.0f);
-  hn::Store(hn::Mul(hn::ConvertTo(f, x0), to_px), f, out.anchor_x.data());
-  hn::Store(hn::Mul(hn::ConvertTo(f, y0), to_px), f, out.anchor_y.data());
-  store_depth(t, k, hn::Sub(x1, x0), hn::Sub(y1, y0), hn::Sub(x2, x0), hn::Sub(y2, y0), out);
+  for (int v = 0; v < 3; ++v) {
+    const Edge edge = edge_at(c, v, corner_x, corner_y);
+    const auto at = static_cast<std::size_t>(v);
+    hn::Store(edge.e, i, out.e[at].data());
+    hn::Store(edge.dx, i, out.dx[at].data());
+    hn::Store(edge.dy, i, out.dy[at].data());
+  }
+  const DepthPlanes depth = depth_planes(t, k, c);
+  hn::Store(depth.x_px, f, out.anchor_x.data());
+  hn::Store(depth.y_px, f, out.anchor_y.data());
+  hn::Store(depth.z, f, out.z.data());
+  hn::Store(depth.dz_dx, f, out.dz_dx.data());
+  hn::Store(depth.dz_dy, f, out.dz_dy.data());
+  hn::Store(depth.nearest, f, out.nearest.data());
+  hn::Store(depth.farthest, f, out.farthest.data());
 }
 
 /// One edge along a row of eight pixels: E / 256 rounded down, whose sign is exact.

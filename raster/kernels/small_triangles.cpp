@@ -8,92 +8,40 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/set_up-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using F = hn::CappedTag<float, 8>;
-using I = hn::RebindToSigned<F>;
-using U = hn::RebindToUnsigned<F>;
-using VF = hn::Vec<F>;
-using VI = hn::Vec<I>;
-using VU = hn::Vec<U>;
-
-/// One edge of each triangle. Stepping by a pixel adds step_x or step_y to E / 256, rounded down:
-/// pixels lie 256 raw units apart, so the sign stays exact.
-struct Edges {
-  VI step_x, step_y;
-  VI at_origin;  // E with the top-left bias, in raw units squared, at the box's first pixel corner
-};
-
+/// Triangles to be drawn together, pixel by pixel of the largest box.
 struct Group {
-  Edges edge[3];
-  VI x, y;  // first pixel of the box
-  VF anchor_x, anchor_y, z, dz_dx, dz_dy, nearest, farthest;
+  Edge edge[3];  // E at the corner of the box's first pixel
+  VI x, y;       // first pixel of the box
+  DepthPlanes depth;
   VU id;
   int columns, rows;  // of the largest box
 };
 
-HWY_INLINE Edges edge_of(VI xa, VI ya, VI xb, VI yb, VI corner_x, VI corner_y) {
-  const I i;
-  const VI dx = hn::Sub(xb, xa), dy = hn::Sub(yb, ya), zero = hn::Zero(i);
-  const auto top_left = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
-  const VI e = hn::Sub(hn::Mul(dx, hn::Sub(corner_y, ya)), hn::Mul(dy, hn::Sub(corner_x, xa)));
-  return {hn::Neg(dy), dx, hn::Sub(e, hn::IfThenZeroElse(top_left, hn::Set(i, 1)))};
-}
-
-HWY_INLINE VF to_px(VI raw) {
-  const F f;
-  return hn::Mul(hn::ConvertTo(f, raw), hn::Set(f, 1.0f / 256.0f));
-}
-
-/// The same operations as set_up_triangle's, in its order.
-HWY_INLINE void set_depth(const CulledTriangles::Snapped& t, std::size_t k, VI x1, VI y1, VI x2,
-                          VI y2, Group& g) {
-  const F f;
-  const VF z0 = hn::LoadU(f, t.z[0].data() + k);
-  const VF z1 = hn::LoadU(f, t.z[1].data() + k);
-  const VF z2 = hn::LoadU(f, t.z[2].data() + k);
-  const VF z10 = hn::Sub(z1, z0), z20 = hn::Sub(z2, z0);
-  const VI area = hn::Sub(hn::Mul(x1, y2), hn::Mul(x2, y1));
-  const VF inverse = hn::Div(hn::Set(f, 1.0f), hn::ConvertTo(f, area));
-  const VF num_x = hn::Sub(hn::Mul(z10, hn::ConvertTo(f, y2)), hn::Mul(z20, hn::ConvertTo(f, y1)));
-  const VF num_y = hn::Sub(hn::Mul(z20, hn::ConvertTo(f, x1)), hn::Mul(z10, hn::ConvertTo(f, x2)));
-  const VF to_pixels = hn::Set(f, 256.0f);
-  g.z = z0;
-  g.dz_dx = hn::Mul(hn::Mul(num_x, inverse), to_pixels);
-  g.dz_dy = hn::Mul(hn::Mul(num_y, inverse), to_pixels);
-  g.nearest = hn::Min(hn::Min(z0, z1), z2);
-  g.farthest = hn::Max(hn::Max(z0, z1), z2);
-}
-
 HWY_INLINE Group set_up(const CulledTriangles::Snapped& t, std::size_t k, std::uint32_t first_id,
-                        const Fixed24_8* offsets_min_max) {
+                        const SampleLimits& limits) {
   const I i;
   const U u;
-  const VI x0 = hn::LoadU(i, t.x[0].data() + k), y0 = hn::LoadU(i, t.y[0].data() + k);
-  const VI x1 = hn::LoadU(i, t.x[1].data() + k), y1 = hn::LoadU(i, t.y[1].data() + k);
-  const VI x2 = hn::LoadU(i, t.x[2].data() + k), y2 = hn::LoadU(i, t.y[2].data() + k);
-  const auto first = [&](VI a, VI b, VI c, Fixed24_8 most) {
-    return hn::ShiftRight<8>(hn::Add(hn::Min(hn::Min(a, b), c), hn::Set(i, 255 - most.raw())));
+  const Corners c = load_corners(t, k);
+  const auto first = [&](VI raw, Fixed24_8 offset) HWY_ATTR {
+    return hn::ShiftRight<8>(hn::Add(raw, hn::Set(i, 255 - offset.raw())));
   };
-  const auto last = [&](VI a, VI b, VI c, Fixed24_8 least) {
-    return hn::ShiftRight<8>(hn::Sub(hn::Max(hn::Max(a, b), c), hn::Set(i, least.raw())));
+  const auto last = [&](VI raw, Fixed24_8 offset) HWY_ATTR {
+    return hn::ShiftRight<8>(hn::Sub(raw, hn::Set(i, offset.raw())));
   };
   Group g;
-  g.x = first(x0, x1, x2, offsets_min_max[1]);
-  g.y = first(y0, y1, y2, offsets_min_max[3]);
-  const VI columns = hn::Sub(last(x0, x1, x2, offsets_min_max[0]), g.x);
-  const VI rows = hn::Sub(last(y0, y1, y2, offsets_min_max[2]), g.y);
+  g.x = first(least(c.x), limits.most_x);
+  g.y = first(least(c.y), limits.most_y);
+  const VI columns = hn::Sub(last(most(c.x), limits.least_x), g.x);
+  const VI rows = hn::Sub(last(most(c.y), limits.least_y), g.y);
   g.columns = hn::GetLane(hn::MaxOfLanes(i, columns)) + 1;
   g.rows = hn::GetLane(hn::MaxOfLanes(i, rows)) + 1;
   const VI corner_x = hn::ShiftLeft<8>(g.x), corner_y = hn::ShiftLeft<8>(g.y);
-  g.edge[0] = edge_of(x0, y0, x1, y1, corner_x, corner_y);
-  g.edge[1] = edge_of(x1, y1, x2, y2, corner_x, corner_y);
-  g.edge[2] = edge_of(x2, y2, x0, y0, corner_x, corner_y);
-  g.anchor_x = to_px(x0);
-  g.anchor_y = to_px(y0);
-  set_depth(t, k, hn::Sub(x1, x0), hn::Sub(y1, y0), hn::Sub(x2, x0), hn::Sub(y2, y0), g);
+  for (int e = 0; e < 3; ++e) g.edge[e] = edge_at(c, e, corner_x, corner_y);
+  g.depth = depth_planes(t, k, c);
   g.id = hn::Add(hn::LoadU(u, t.triangle.data() + k), hn::Set(u, first_id));
   return g;
 }
@@ -104,32 +52,34 @@ HWY_INLINE void draw_sample(const Group& g, SampleOffset sample, const Sink& sin
   const F f;
   const I i;
   const VI minus_one = hn::Set(i, -1), one = hn::Set(i, 1);
+  // Dividing by 256, rounded down, keeps the sign: pixels lie 256 raw units apart, so that a step
+  // by one adds whole numbers, -dy or dx.
   VI row_e[3];
   for (int e = 0; e < 3; ++e) {
-    const Edges& edge = g.edge[e];
-    const VI shifted = hn::Add(hn::Mul(edge.step_y, hn::Set(i, sample.y.raw())),
-                               hn::Mul(edge.step_x, hn::Set(i, sample.x.raw())));
-    row_e[e] = hn::ShiftRight<8>(hn::Add(edge.at_origin, shifted));
+    const Edge& edge = g.edge[e];
+    const VI shift = hn::Sub(hn::Mul(edge.dx, hn::Set(i, sample.y.raw())),
+                             hn::Mul(edge.dy, hn::Set(i, sample.x.raw())));
+    row_e[e] = hn::ShiftRight<8>(hn::Add(edge.e, shift));
   }
   const VF sample_x = hn::Set(f, sample.x.to_float()), sample_y = hn::Set(f, sample.y.to_float());
   VI y = g.y;
   for (int r = 0; r < g.rows; ++r) {
     const VF py = hn::Add(hn::ConvertTo(f, y), sample_y);
-    const VF row_z = hn::Add(g.z, hn::Mul(g.dz_dy, hn::Sub(py, g.anchor_y)));
+    const VF row_z = hn::Add(g.depth.z, hn::Mul(g.depth.dz_dy, hn::Sub(py, g.depth.y_px)));
     VI e0 = row_e[0], e1 = row_e[1], e2 = row_e[2], x = g.x;
     for (int c = 0; c < g.columns; ++c) {
       const auto covered = hn::Gt(hn::Or(hn::Or(e0, e1), e2), minus_one);
       if (!hn::AllFalse(i, covered)) {
         const VF px = hn::Add(hn::ConvertTo(f, x), sample_x);
-        const VF plane = hn::Add(row_z, hn::Mul(g.dz_dx, hn::Sub(px, g.anchor_x)));
-        sink(covered, x, y, hn::Min(hn::Max(plane, g.nearest), g.farthest));
+        const VF plane = hn::Add(row_z, hn::Mul(g.depth.dz_dx, hn::Sub(px, g.depth.x_px)));
+        sink(covered, x, y, hn::Min(hn::Max(plane, g.depth.nearest), g.depth.farthest));
       }
-      e0 = hn::Add(e0, g.edge[0].step_x);
-      e1 = hn::Add(e1, g.edge[1].step_x);
-      e2 = hn::Add(e2, g.edge[2].step_x);
+      e0 = hn::Sub(e0, g.edge[0].dy);
+      e1 = hn::Sub(e1, g.edge[1].dy);
+      e2 = hn::Sub(e2, g.edge[2].dy);
       x = hn::Add(x, one);
     }
-    for (int e = 0; e < 3; ++e) row_e[e] = hn::Add(row_e[e], g.edge[e].step_y);
+    for (int e = 0; e < 3; ++e) row_e[e] = hn::Add(row_e[e], g.edge[e].dx);
     y = hn::Add(y, one);
   }
 }
@@ -232,7 +182,7 @@ HWY_INLINE int common_tile(const Group& g, const TileGrid& grid) {
 }
 
 void DrawSmallTriangles(CulledTriangles::Snapped& t, std::uint32_t first_id,
-                        std::span<const SampleOffset> pattern, const Fixed24_8* offsets_min_max,
+                        std::span<const SampleOffset> pattern, const SampleLimits& limits,
                         const TileGrid& grid, Bins& bins) {
   const I i;
   const auto lanes = static_cast<std::size_t>(hn::Lanes(i));
@@ -250,7 +200,7 @@ void DrawSmallTriangles(CulledTriangles::Snapped& t, std::uint32_t first_id,
   }
   MixedFragments mixed;
   for (std::size_t k = 0; k < size; k += lanes) {
-    const Group g = set_up(t, k, first_id, offsets_min_max);
+    const Group g = set_up(t, k, first_id, limits);
     if (g.columns <= 0 || g.rows <= 0) continue;
     const int tile = common_tile(g, grid);
     if (tile >= 0) {
@@ -272,12 +222,8 @@ HWY_EXPORT(DrawSmallTriangles);
 
 void draw_small_triangles(CulledTriangles::Snapped& triangles, std::uint32_t first_id,
                           std::span<const SampleOffset> pattern, const TileGrid& grid, Bins& bins) {
-  std::array<Fixed24_8, 4> limits = {pattern[0].x, pattern[0].x, pattern[0].y, pattern[0].y};
-  for (const SampleOffset& o : pattern) {
-    limits = {std::min(limits[0], o.x), std::max(limits[1], o.x), std::min(limits[2], o.y),
-              std::max(limits[3], o.y)};
-  }
-  HWY_DYNAMIC_DISPATCH(DrawSmallTriangles)(triangles, first_id, pattern, limits.data(), grid, bins);
+  HWY_DYNAMIC_DISPATCH(DrawSmallTriangles)
+  (triangles, first_id, pattern, sample_limits(pattern), grid, bins);
 }
 
 }  // namespace kinescope

@@ -1,0 +1,92 @@
+// Set-up of triangles, SIMD across them: the same operations as set_up_triangle's, in its order.
+// Included once for each instruction set, hence the unusual guard.
+#if defined(KINESCOPE_RASTER_KERNELS_SET_UP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef KINESCOPE_RASTER_KERNELS_SET_UP_INL_H_
+#undef KINESCOPE_RASTER_KERNELS_SET_UP_INL_H_
+#else
+#define KINESCOPE_RASTER_KERNELS_SET_UP_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace kinescope::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 8>;
+using I = hn::RebindToSigned<F>;
+using U = hn::RebindToUnsigned<F>;
+using VF = hn::Vec<F>;
+using VI = hn::Vec<I>;
+using VU = hn::Vec<U>;
+
+/// Raw Fixed24_8 vertices of several triangles of positive area, at most 64 pixels either way.
+struct Corners {
+  VI x[3], y[3];
+};
+
+/// From structure of arrays, as CulledTriangles::Snapped and MediumChunk hold them.
+template <class Triangles>
+HWY_INLINE Corners load_corners(const Triangles& t, std::size_t k) {
+  const I i;
+  Corners c;
+  for (std::size_t v = 0; v < 3; ++v) {
+    c.x[v] = hn::LoadU(i, t.x[v].data() + k);
+    c.y[v] = hn::LoadU(i, t.y[v].data() + k);
+  }
+  return c;
+}
+
+HWY_INLINE VI least(const VI (&v)[3]) { return hn::Min(hn::Min(v[0], v[1]), v[2]); }
+HWY_INLINE VI most(const VI (&v)[3]) { return hn::Max(hn::Max(v[0], v[1]), v[2]); }
+
+/// The edge from vertex `v` to the next: its sides, and E with the top-left bias at a point within
+/// a pixel of the triangle's box, in raw units squared.
+struct Edge {
+  VI dx, dy, e;
+};
+
+HWY_INLINE Edge edge_at(const Corners& c, int v, VI point_x, VI point_y) {
+  const I i;
+  const int next = v == 2 ? 0 : v + 1;
+  const VI dx = hn::Sub(c.x[next], c.x[v]), dy = hn::Sub(c.y[next], c.y[v]), zero = hn::Zero(i);
+  const auto top_left = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
+  const VI e =
+      hn::Sub(hn::Mul(dx, hn::Sub(point_y, c.y[v])), hn::Mul(dy, hn::Sub(point_x, c.x[v])));
+  return {dx, dy, hn::Sub(e, hn::IfThenZeroElse(top_left, hn::Set(i, 1)))};
+}
+
+/// DepthPlane, of several triangles.
+struct DepthPlanes {
+  VF x_px, y_px, z, dz_dx, dz_dy, nearest, farthest;
+};
+
+template <class Triangles>
+HWY_INLINE DepthPlanes depth_planes(const Triangles& t, std::size_t k, const Corners& c) {
+  const F f;
+  const VI x1 = hn::Sub(c.x[1], c.x[0]), y1 = hn::Sub(c.y[1], c.y[0]);
+  const VI x2 = hn::Sub(c.x[2], c.x[0]), y2 = hn::Sub(c.y[2], c.y[0]);
+  const VF z0 = hn::LoadU(f, t.z[0].data() + k);
+  const VF z1 = hn::LoadU(f, t.z[1].data() + k);
+  const VF z2 = hn::LoadU(f, t.z[2].data() + k);
+  const VF z10 = hn::Sub(z1, z0), z20 = hn::Sub(z2, z0);
+  const VI area = hn::Sub(hn::Mul(x1, y2), hn::Mul(x2, y1));
+  const VF inverse = hn::Div(hn::Set(f, 1.0f), hn::ConvertTo(f, area));
+  const VF num_x = hn::Sub(hn::Mul(z10, hn::ConvertTo(f, y2)), hn::Mul(z20, hn::ConvertTo(f, y1)));
+  const VF num_y = hn::Sub(hn::Mul(z20, hn::ConvertTo(f, x1)), hn::Mul(z10, hn::ConvertTo(f, x2)));
+  const VF to_px = hn::Set(f, 1.0f / 256.0f), a_pixel = hn::Set(f, 256.0f);
+  return {hn::Mul(hn::ConvertTo(f, c.x[0]), to_px),
+          hn::Mul(hn::ConvertTo(f, c.y[0]), to_px),
+          z0,
+          hn::Mul(hn::Mul(num_x, inverse), a_pixel),
+          hn::Mul(hn::Mul(num_y, inverse), a_pixel),
+          hn::Min(hn::Min(z0, z1), z2),
+          hn::Max(hn::Max(z0, z1), z2)};
+}
+
+}  // namespace kinescope::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // KINESCOPE_RASTER_KERNELS_SET_UP_INL_H_
