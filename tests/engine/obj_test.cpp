@@ -141,8 +141,8 @@ TEST(Obj, SurvivesHostileMaterialFiles) {
        {std::string(), std::string("newmtl"), std::string("newmtl \nKd\nNs\nmap_Kd\nd\n"),
         std::string("map_Kd -o -s -t -bm\nKd nan inf -1e999\nNs 1e400\nd -5\n"),
         std::string(100000, 'x'), std::string("newmtl a\nmap_Kd ") + std::string(9000, '/'),
-        std::string("newmtl a\nKd 1e30 1e30 1e30\nNs -3\nKe 1e38 0 0\nmap_Kd -imfchan\n\0\0",
-                    66)}) {
+        std::string("newmtl a\nKd 1e30 1e30 1e30\nNs -3\nKe 1e38 0 0\nmap_Kd -imfchan\n") +
+            std::string(2, '\0')}) {
     write_file("m.mtl", mtl);
     const Imported model =
         import_contents("a.obj", "mtllib m.mtl\nusemtl a\n" + std::string(kSquare) + "f 1 2 3\n");
