@@ -19,7 +19,7 @@ namespace kinescope::bench {
 namespace {
 
 struct Options {
-  std::vector<std::string> workloads;
+  std::vector<std::string> workloads, models;
   std::vector<int> samples{1, 4};
   int threads = 2;
   int pairs = 9;
@@ -49,8 +49,8 @@ void save(const Options& options, const std::string& name, const Image<Linear8>&
   write_png(options.pictures + "/" + name + ".png", stored);
 }
 
-Row run(const Options& options, const std::string& name, int samples) {
-  const Workload workload = make_workload(name);
+Row run(const Options& options, const Workload& workload, int samples) {
+  const std::string& name = workload.name;
   Workers workers(options.threads);
   Renderer renderer(workers);
   RenderTarget target(options.width, options.height, samples, ColourFormat::kLinear8);
@@ -124,6 +124,7 @@ int run_all(int argc, char** argv) {
   CLI::App app(
       "Kinescope's rasterizer beside Mesa's llvmpipe: same pictures, interleaved, medians.");
   app.add_option("--workload", options.workloads, "workloads by name; all if none is given");
+  app.add_option("--model", options.models, "model files, drawn in one colour");
   app.add_option("--samples", options.samples, "samples a pixel: 1, 4 (llvmpipe has no more)")
       ->check(CLI::IsMember({1, 4}));
   app.add_option("--threads", options.threads, "threads of each")->check(CLI::Range(1, 64));
@@ -131,12 +132,14 @@ int run_all(int argc, char** argv) {
   app.add_option("--pictures", options.pictures, "folder for both last frames as PNG");
   app.add_flag("--json", options.json, "a list of figures instead of the table");
   CLI11_PARSE(app, argc, argv);
-  if (options.workloads.empty()) options.workloads = workload_names();
+  if (options.workloads.empty() && options.models.empty()) options.workloads = workload_names();
   LlvmpipePeer::set_threads(options.threads);
   std::vector<Row> rows;
-  for (const std::string& name : options.workloads) {
-    for (const int samples : options.samples) rows.push_back(run(options, name, samples));
-  }
+  const auto run_samples = [&](const Workload& workload) {
+    for (const int samples : options.samples) rows.push_back(run(options, workload, samples));
+  };
+  for (const std::string& name : options.workloads) run_samples(make_workload(name));
+  for (const std::string& path : options.models) run_samples(model_workload(path));
   options.json ? print_json(rows) : print_table(rows);
   return 0;
 }

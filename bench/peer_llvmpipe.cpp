@@ -84,6 +84,43 @@ out vec4 colour;
 void main() { colour = vec4(lit, 1); }
 )";
 
+constexpr const char* kVertexUnlit = R"(
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec2 texcoord;
+layout(location = 3) in vec3 vertex_colour;
+uniform mat4 clip_from_world;
+out vec3 tint;
+out vec2 uv;
+void main() {
+  gl_Position = clip_from_world * vec4(position, 1);
+  tint = vertex_colour; uv = texcoord;
+}
+)";
+
+constexpr const char* kFragmentUnlit = R"(
+in vec3 tint;
+in vec2 uv;
+out vec4 colour;
+uniform sampler2D image;
+void main() {
+#ifdef TEXTURED
+  colour = vec4(base * texture(image, uv).rgb, 1);
+#else
+  colour = vec4(base * tint, 1);
+#endif
+}
+)";
+
+struct Sources {
+  const char* vertex;
+  const char* fragment;
+};
+Sources sources_of(ShadingModel shading) {
+  if (shading == ShadingModel::kGouraud) return {kVertexGouraud, kFragmentGouraud};
+  if (shading == ShadingModel::kUnlit) return {kVertexUnlit, kFragmentUnlit};
+  return {kVertexPhong, kFragmentPhong};
+}
+
 [[noreturn]] void fail(const std::string& what) {
   throw Error(ErrorKind::kBadInput, what, "llvmpipe");
 }
@@ -106,12 +143,10 @@ GLuint compile(GLenum kind, const std::string& source) {
 GLuint link(ShadingModel shading, bool textured) {
   std::string head = kHead;
   if (textured) head.insert(head.find('\n') + 1, "#define TEXTURED\n");
-  const bool gouraud = shading == ShadingModel::kGouraud;
+  const Sources sources = sources_of(shading);
   const GLuint program = glCreateProgram();
-  glAttachShader(program,
-                 compile(GL_VERTEX_SHADER, head + (gouraud ? kVertexGouraud : kVertexPhong)));
-  glAttachShader(program,
-                 compile(GL_FRAGMENT_SHADER, head + (gouraud ? kFragmentGouraud : kFragmentPhong)));
+  glAttachShader(program, compile(GL_VERTEX_SHADER, head + sources.vertex));
+  glAttachShader(program, compile(GL_FRAGMENT_SHADER, head + sources.fragment));
   glLinkProgram(program);
   GLint good = 0;
   glGetProgramiv(program, GL_LINK_STATUS, &good);
@@ -168,6 +203,7 @@ MeshBuffers upload(const Mesh& mesh) {
   attribute(0, 3, mesh.positions);
   attribute(1, 3, mesh.normals);
   if (!mesh.texcoords.empty()) attribute(2, 2, mesh.texcoords);
+  if (!mesh.colours.empty()) attribute(3, 3, mesh.colours);
   GLuint indices = 0;
   glGenBuffers(1, &indices);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
@@ -283,8 +319,8 @@ std::string LlvmpipePeer::version() const {
 double LlvmpipePeer::draw(const Camera& camera) {
   State& s = *state_;
   s.context.make_current();
-  // Ours maps depth to 0..w; OpenGL's clip space wants -w..w. Turned upside down, its rows come from
-  // the top too, and its sample pattern and fill rule lie as ours do.
+  // Ours maps depth to 0..w; OpenGL's clip space wants -w..w. Turned upside down, its rows come
+  // from the top too, and its sample pattern and fill rule lie as ours do.
   glm::mat4 gl_from_clip(1.0f);
   gl_from_clip[1][1] = -1;
   gl_from_clip[2][2] = 2;

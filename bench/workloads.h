@@ -24,4 +24,7 @@ std::vector<std::string> workload_names();
 /// @throws Error (usage) naming the known ones
 Workload make_workload(const std::string& name);
 
+/// A model file as a workload. @throws Error (bad input)
+Workload model_workload(const std::string& path);
+
 }  // namespace kinescope::bench
