@@ -37,7 +37,7 @@ struct DrawCall {
   int texcoord_attribute = -1;  ///< attribute index of u (v follows) that needs gradients, or -1
 
   CullMode cull = CullMode::kBack;
-  ShadeFunction shade = nullptr;
+  ShadeFunction shade = nullptr;  ///< null: shows the clear colour, and so hides what lies behind
   const void* constants = nullptr;
 };
 

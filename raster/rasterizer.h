@@ -12,8 +12,8 @@
 namespace kinescope {
 
 struct RasterizerOptions {
-  int tile_width = 0;   ///< pixels, a multiple of 8; 0 chooses by the sample count
-  int tile_height = 0;  ///< pixels, a multiple of 8; 0 chooses by the sample count
+  int tile_width = 0;   ///< pixels, a multiple of 8 up to 64; 0 chooses by the sample count
+  int tile_height = 0;  ///< pixels, a multiple of 8 up to 64; 0 chooses by the sample count
 };
 
 /// Figures of one frame. The hash is the same for any thread count, tile size and instruction set.
@@ -33,7 +33,7 @@ class Rasterizer {
   Rasterizer& operator=(const Rasterizer&) = delete;
 
   /// Clears the target and draws all calls. Of fragments at one depth the one submitted first wins.
-  /// @throws Error if memory for the frame cannot be had
+  /// @throws Error if memory for the frame cannot be had, or (usage) for a tile's size out of range
   RasterStats draw(RenderTarget& target, std::span<const DrawCall> calls,
                    bool want_visibility_hash = false);
 

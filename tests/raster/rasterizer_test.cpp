@@ -2,8 +2,11 @@
 #include "raster/rasterizer.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <numeric>
 #include <vector>
 
@@ -352,6 +355,25 @@ TEST(RenderTarget, RefusesSizesThatNoMemoryHolds) {
   }
   EXPECT_THROW(RenderTarget(10, 10, 3), Error);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(RenderTarget, SaysSoWhenMemoryCannotBeHad) {
+  const auto draw_with_little_memory = [] {
+    rlimit limit{};
+    limit.rlim_cur = limit.rlim_max = 600u << 20;
+    setrlimit(RLIMIT_AS, &limit);
+    try {
+      const RenderTarget target(RenderTarget::kMaxSize, RenderTarget::kMaxSize);
+    } catch (const Error& e) {
+      std::fputs(e.what(), stderr);
+      std::_Exit(3);
+    }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(draw_with_little_memory(), testing::ExitedWithCode(3),
+              "no memory for a picture of 16384x16384 \\(1073 MB\\)");
+}
+#endif
 
 TEST(Rasterizer, RefusesTilesThatAreNotMultiplesOfEight) {
   Workers workers(1);
