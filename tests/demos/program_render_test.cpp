@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -221,7 +222,7 @@ TEST_F(ProgramRender, TurntableIsOneTurn) {
   turn.insert(turn.end(), {"--turntable", "--frames", "3"});
   const json frames = figures(turn)["frames"];
   ASSERT_EQ(frames.size(), 3u);
-  EXPECT_EQ(frames[0]["colour_hash"], figures(still)["colour_hash"]);
+  EXPECT_NE(frames[0]["colour_hash"], frames[2]["colour_hash"]);
   EXPECT_NE(frames[0]["colour_hash"], frames[1]["colour_hash"]);
   EXPECT_NE(frames[1]["colour_hash"], frames[2]["colour_hash"]);
 }
@@ -271,6 +272,60 @@ TEST_F(ProgramRender, SeveralModelsStandSideBySide) {
                                       {.folder = folder_.path()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(json::parse(run.out)["triangles"], 12 + 4 + 12);
+}
+
+TEST_F(ProgramRender, StlStandsUpAlongZAndOthersAlongY) {
+  // A spike from the origin along z.
+  const std::string corners[] = {"-1 -1 0", "1 -1 0", "0 1 0", "0 0 20"};
+  std::string stl = "solid spike\n", off = "OFF\n4 4 0\n-1 -1 0\n1 -1 0\n0 1 0\n0 0 20\n";
+  for (const auto& face : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+    stl += "facet normal 0 0 0\nouter loop\n";
+    off += "3";
+    for (const int i : face) {
+      stl += "vertex " + corners[i] + "\n";
+      off += " " + std::to_string(i);
+    }
+    stl += "endloop\nendfacet\n";
+    off += "\n";
+  }
+  const auto is_upright = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"render",  name,          "--display", "none", "--size",
+                                       "100x100", "--elevation", "0",         "-o",   "spike.png"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult result = run_kinescope(arguments, {.folder = folder_.path()});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const Image<Srgb8> p = read_image_file(folder_ / "spike.png");
+    int rows = 0, columns = 0;
+    for (int i = 0; i < 100; ++i) {
+      bool in_row = false, in_column = false;
+      for (int j = 0; j < 100; ++j) {
+        in_row |= brightness(p.at(j, i)) > 10;
+        in_column |= brightness(p.at(i, j)) > 10;
+      }
+      rows += in_row;
+      columns += in_column;
+    }
+    return rows > 3 * columns;
+  };
+  write_text(folder_ / "spike.stl", stl + "endsolid spike\n");
+  write_text(folder_ / "spike.off", off);
+  EXPECT_TRUE(is_upright("spike.stl", {}));
+  EXPECT_FALSE(is_upright("spike.off", {}));
+  EXPECT_TRUE(is_upright("spike.off", {"--up", "0,0,1"}));
+  EXPECT_TRUE(is_upright("spike.off", {"--up", "0,0,1", "--eye", "40,0,10", "--look", "0,0,10"}));
+}
+
+TEST_F(ProgramRender, TheCameraStandsAndLooksAsTold) {
+  // Along z from afar: the cube's face fills 2 units of 2 * 9 * tan(10 degrees) = 3.17.
+  const Image<Srgb8> p =
+      picture({"--display", "none", "--size", "100x100", "--eye", "0,0,10", "--look", "0,0,0",
+               "--up", "0,1,0", "--fov", "20", "--shading", "unlit"});
+  int lit = 0;
+  for (int x = 0; x < 100; ++x) lit += brightness(p.at(x, 50)) > 60;
+  EXPECT_NEAR(lit, 63, 1);
+  const Image<Srgb8> away =
+      picture({"--display", "none", "--size", "10x10", "--eye", "0,0,10", "--look", "0,0,20"});
+  EXPECT_EQ(mean_brightness(away), 0);
 }
 
 TEST_F(ProgramRender, WithoutADisplayOrANamePicturesGoToOut) {

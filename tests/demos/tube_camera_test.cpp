@@ -9,7 +9,7 @@ namespace {
 
 TubeSettings small_tube() {
   TubeSettings settings = display_presets().front().settings();
-  settings.mode = gtf_mode(64, 48, 60);
+  settings.mode = {"small", 360000, {64, 8, 12, 16}, {48, 2, 2, 8}, false};  // 60 Hz
   return settings;
 }
 
