@@ -15,7 +15,7 @@ namespace {
 
 constexpr Srgb8 kActive = theme::kAccent, kBlanked = theme::kCool;
 
-float size_of(const Rect& room) { return std::max(8.0f, room.height * 0.062f); }
+float size_of(const Rect& room) { return room.height * 0.062f; }
 
 Srgb8 phase_colour(ScanPhase phase) {
   switch (phase) {
@@ -72,8 +72,10 @@ void BeamChart::draw_span(Canvas& canvas, const Rect& face, Seconds from, Second
     if (t1 - t0 < 0.01 * pixel) continue;
     const BeamPosition a = scan.at(t0), b = scan.at(t1 - 0.001 * pixel);
     if (a.blanked && dash % 4 >= 2) continue;
+    // The many lines of a vertical retrace are fainter than the one of a horizontal.
+    const std::uint8_t alpha = !a.blanked ? 70 : a.vertical == ScanPhase::kActive ? 160 : 80;
     canvas.line(on_face(a, face), on_face(b, face), 1.2f * scale,
-                theme::with_alpha(a.blanked ? kBlanked : kActive, a.blanked ? 150 : 70));
+                theme::with_alpha(a.blanked ? kBlanked : kActive, alpha));
   }
 }
 

@@ -32,6 +32,7 @@ std::shared_ptr<const Scene> teapot_scene(int fineness) {
   glaze.base_colour = {0.58f, 0.17f, 0.06f};
   glaze.specular = glm::vec3(0.8f, 0.72f, 0.62f);
   glaze.shininess = 56;
+  glaze.double_sided = true;  // one looks into the spout, and past the lid
   scene->materials.push_back(glaze);
   scene->meshes.push_back(teapot_mesh(fineness));
   scene->meshes[0].material = 0;

@@ -45,6 +45,7 @@ Child::Child(const std::vector<std::string>& command, const std::vector<std::str
   for (const int fd : {0, 1, 2}) {
     if (fd != inherited_fd) dup2(null, fd);
   }
+  if (!folder.empty()) dup2(open("said.txt", O_WRONLY | O_CREAT | O_TRUNC, 0600), 2);
   execvp(arguments[0], arguments.data());
   _exit(127);
 }
@@ -82,16 +83,18 @@ VirtualDisplay::VirtualDisplay(int width, int height) {
   if (pipe(ends.data()) != 0) return;
   fcntl(ends[0], F_SETFD, FD_CLOEXEC);
   const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
+  // Without -noreset it would throw everybody out whenever one tool leaves as the last client.
   server_.emplace(std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen",
-                                           "0", screen, "-nolisten", "tcp"},
+                                           "0", screen, "-nolisten", "tcp", "-noreset"},
                   std::vector<std::string>{}, "", ends[1]);
   close(ends[1]);
   pollfd ready{ends[0], POLLIN, 0};
-  std::array<char, 16> text{};
-  // The server writes its number once it takes clients.
-  if (poll(&ready, 1, 30'000) > 0 && read(ends[0], text.data(), text.size() - 1) > 0) {
-    name_ = ":" + std::to_string(std::atoi(text.data()));
-  }
+  // The server writes its number once it takes clients, and the line's end after it: it dies if
+  // nobody reads that.
+  std::string line;
+  char c = 0;
+  while (poll(&ready, 1, 30'000) > 0 && read(ends[0], &c, 1) == 1 && c != '\n') line += c;
+  if (!line.empty()) name_ = ":" + line;
   close(ends[0]);
 }
 

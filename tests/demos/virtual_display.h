@@ -11,7 +11,8 @@
 
 namespace kinescope::test {
 
-/// A child process, ended and reaped with the object.
+/// A child process, ended and reaped with the object. Where it has a folder, it writes its errors to
+/// said.txt there.
 class Child {
  public:
   Child(const std::vector<std::string>& command, const std::vector<std::string>& environment,
