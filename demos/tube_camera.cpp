@@ -61,13 +61,10 @@ void TubeCamera::settle() {
 }
 
 const Image<LinearRgb>& TubeCamera::run_to(Seconds end) {
-  const Seconds next = static_cast<double>(refresh_ + 1) * period_;
-  if (std::min(end, next) + static_cast<double>(settling_) * period_ <= tube_.now()) {
-    show(refresh_ + 1);
-    return run_to(end);
-  }
-  return tube_.expose(buffer_, std::min(end, next) + static_cast<double>(settling_) * period_,
-                      workers_);
+  const auto refresh_end = [this] { return static_cast<double>(refresh_ + 1) * period_; };
+  if (now_ >= refresh_end()) show(refresh_ + 1);
+  now_ = std::min(end, refresh_end());
+  return tube_.expose(buffer_, static_cast<double>(settling_) * period_ + now_, workers_);
 }
 
 Seconds TubeCamera::snapped(Seconds t) const {
@@ -78,13 +75,11 @@ Seconds TubeCamera::snapped(Seconds t) const {
 
 const Image<LinearRgb>& TubeCamera::expose(Exposure exposure) {
   exposure = {snapped(exposure.begin), snapped(exposure.end)};
-  const Seconds origin = static_cast<double>(settling_) * period_;
-  while (tube_.now() < origin + exposure.begin) run_to(exposure.begin);
-  const Seconds end = origin + exposure.end;
+  while (now_ < exposure.begin) run_to(exposure.begin);
   const Image<LinearRgb>* light = &run_to(exposure.end);
-  if (tube_.now() < end) {
+  if (now_ < exposure.end) {
     sum_ = *light;
-    while (tube_.now() < end) add(sum_, run_to(exposure.end));
+    while (now_ < exposure.end) add(sum_, run_to(exposure.end));
     light = &sum_;
   }
   return *light;

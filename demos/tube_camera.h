@@ -42,6 +42,7 @@ class TubeCamera {
   FrameBuffer buffer_;
   RasterTube tube_;
   Seconds period_;
+  Seconds now_{0};             ///< our own: the tube's is in whole ticks of its clock
   std::int64_t settling_ = 0;  ///< refreshes that passed before time 0
   std::int64_t refresh_ = 0;   ///< the one that passes
   Image<LinearRgb> sum_;
