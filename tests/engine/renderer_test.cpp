@@ -355,9 +355,8 @@ TEST(Renderer, FlatShadingGivesEachTriangleOneColour) {
   const Camera camera = frame_scene(scene, 1.5f);
   const auto colours = [&](ShadingModel model) {
     std::set<std::array<float, 3>> set;
-    for (const LinearRgba& c : render(scene, camera, with(model)).pixels().pixels()) {
-      set.insert({c.r, c.g, c.b});
-    }
+    const auto drawn = render(scene, camera, with(model));
+    for (const LinearRgba& c : drawn.pixels().pixels()) set.insert({c.r, c.g, c.b});
     return set.size();
   };
   EXPECT_LE(colours(ShadingModel::kFlat), 64u * 4 - 8 * 2 + 1);
