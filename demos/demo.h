@@ -60,7 +60,7 @@ class Demo {
   /// The picture is width() by height() from now on.
   virtual void resized() {}
 
-  const Knob& knob(int index) const { return knobs_[static_cast<std::size_t>(index)]; }
+  const Knob& knob(int index) const { return knobs_.at(static_cast<std::size_t>(index)); }
   Studio& studio() const { return *studio_; }
 
  private:

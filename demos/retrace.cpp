@@ -25,16 +25,18 @@ constexpr std::array kPhosphors = {"P22", "P4", "P31", "P1"};
 class Retrace : public ClonableDemo<Retrace> {
  public:
   explicit Retrace(const DemoSetup& setup)
-      : ClonableDemo(setup,
-                     {choice_knob("raster", {"r"}, {"640 x 480", "64 x 48"}, 0,
-                                  "lines as of a VGA monitor, or few enough to watch one"),
-                      choice_knob("phosphor", {"p"},
-                                  {"P22 colour", "P4 white", "P31 green", "P1 slow green"}, 0,
-                                  "what glows, and for how long"),
-                      toggle_knob("path", "o", true, "the beam's way, blanked parts dashed"),
-                      toggle_knob("charts", "c", true, "deflection and blanking against time"),
-                      number_knob("aperture", "-", "=", 0, 12, 1, 2, "stops",
-                                  "the camera's iris: each stop halves the light")}),
+      : ClonableDemo(
+            setup,
+            {choice_knob("raster", {"r"}, {"640 x 480", "64 x 48"}, 0,
+                         "lines as of a VGA monitor, or few enough to watch one"),
+             choice_knob("phosphor", {"p"},
+                         {"P22 colour", "P4 white", "P31 green", "P1 slow green"}, 0,
+                         "what glows, and for how long"),
+             toggle_knob("path", "o", true, "the beam's way, blanked parts dashed"),
+             toggle_knob("charts", "c", true, "deflection and blanking against time"),
+             toggle_knob("guide", "g", true, "the whole picture, faint, as the eye adds it up"),
+             number_knob("iris", "-", "=", -6, 6, 1, 0, "stops",
+                         "the camera's iris: each stop halves the light")}),
         monitor_(make_monitor()) {}
 
   std::size_t state_bytes() const override { return monitor_.state_bytes(); }

@@ -11,8 +11,8 @@
 
 namespace kinescope::test {
 
-/// A child process, ended and reaped with the object. Where it has a folder, it writes its errors to
-/// said.txt there.
+/// A child process, ended and reaped with the object. In a folder of its own it writes its errors
+/// to said.txt.
 class Child {
  public:
   Child(const std::vector<std::string>& command, const std::vector<std::string>& environment,
