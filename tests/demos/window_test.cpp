@@ -129,7 +129,7 @@ TEST_F(Window, GalleryStartsADemoAndEscapeReturns) {
   ASSERT_TRUE(until([&](const auto& shot) { return changed(shot, gallery) < 0.2; }));
   EXPECT_FALSE(program_->wait(0.2)) << "Escape left the gallery too";
   key("Escape");
-  EXPECT_EQ(program_->wait(kPatience), 0);
+  EXPECT_EQ(program_->wait(kPatience), 0) << test::read_text(folder_ / "said.txt");
 }
 
 }  // namespace
