@@ -44,8 +44,8 @@ struct Surface {
   std::span<const Light> lights;
   glm::vec3 ambient{0.1f};
   glm::vec3 eye{0.0f};
-  bool mirrored = false;  ///< the node mirrors: a triangle seen from its back shows its front
-  bool vertex_colours = false;                ///< rows carry vertex_row::kColour
+  bool mirrored = false;        ///< the node mirrors: a triangle seen from its back shows its front
+  bool vertex_colours = false;  ///< rows carry vertex_row::kColour
   std::span<const LitColour> triangle_light;  ///< kFlat: one a source triangle
 };
 
