@@ -118,7 +118,7 @@ void BeamChart::draw_wave(Canvas& canvas, const Rect& room, bool across) const {
   const Rect plot{room.x, room.y + size * 1.7f, room.width, room.height - size * 1.7f};
   canvas.frame(plot, 1, theme::kRule, 3);
   const Rect inner = plot.shrunk(size * 0.5f);
-  const int samples = static_cast<int>(inner.width / 2);
+  const int samples = std::max(1, static_cast<int>(inner.width / 2));
   glm::vec2 last{};
   for (int i = 0; i <= samples; ++i) {
     const double share = (static_cast<double>(i) + (i == samples ? -0.01 : 0.0)) / samples;

@@ -117,13 +117,12 @@ class FrameBufferDemo : public ClonableDemo<FrameBufferDemo> {
         Rect{0, static_cast<float>(height()) - 92 * scale, static_cast<float>(width()), 40 * scale}
             .shrunk(theme::kMargin * scale);
     canvas.fill(bar.shrunk(-4 * scale), theme::kPanel, 4 * scale);
-    const int left = static_cast<int>(bar.x), top = static_cast<int>(bar.y);
+    const float left = std::floor(bar.x), top = std::floor(bar.y);
     const int columns = static_cast<int>(bar.width);
     for (int x = 0; x < columns; ++x) {
       const GunDrive c = monitor_.buffer().colour(x * entries() / columns);
-      for (int y = top; y < static_cast<int>(bar.bottom()); ++y) {
-        picture.at(left + x, y) = {c.r, c.g, c.b, 255};
-      }
+      const Rect column{left + static_cast<float>(x), top, 1, std::floor(bar.bottom()) - top};
+      canvas.fill(column, {c.r, c.g, c.b, 255});
     }
   }
 

@@ -1,6 +1,7 @@
 #include "demos/monitor.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -18,8 +19,9 @@ Rect fitted(const Rect& room) {
       {std::max(1, static_cast<int>(room.width)), std::max(1, static_cast<int>(room.height))},
       kAspect);
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
-  return {std::floor(room.x + (room.width - width) * 0.5f),
-          std::floor(room.y + (room.height - height) * 0.5f), width, height};
+  // Centred; in a room less than a pixel wide it is the pixel in which the room begins.
+  return {std::floor(room.x + std::max(0.0f, room.width - width) * 0.5f),
+          std::floor(room.y + std::max(0.0f, room.height - height) * 0.5f), width, height};
 }
 
 void encode_scaled(std::span<const LinearRgb> light, float gain, std::span<Srgb8> out) {
@@ -126,6 +128,8 @@ void Monitor::expose(const Step& step, Workers& workers, Image<Srgb8>& picture, 
   // An exposure of one period, give or take rounding, needs none.
   const float applied = std::abs(gain - 1) < 1e-6 ? 1.0f : static_cast<float>(gain);
   const int left = static_cast<int>(face_.x), top = static_cast<int>(face_.y);
+  assert(picture.contains(left, top) &&
+         picture.contains(left + light.width() - 1, top + light.height() - 1));
   const auto width = static_cast<std::size_t>(light.width());
   in_rows(workers, light.height(), [&](int y) {
     encode_scaled({light.row(y), width}, applied, {picture.row(top + y) + left, width});

@@ -19,7 +19,8 @@ class Monitor {
   /// How much brighter than its mean the light of a pulse may be before it is clipped.
   static constexpr double kIris = 64;
 
-  /// The tube fills the largest part of `room` (pixels of the picture) that has its own shape.
+  /// The tube fills the largest part of `room` (pixels of the picture, within it) that has its own
+  /// shape, at least a pixel.
   Monitor(const TubeSettings& settings, PixelFormat format, const Rect& room);
 
   FrameBuffer& buffer() { return buffer_; }

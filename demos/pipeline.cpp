@@ -1,4 +1,5 @@
 // One object on its way from its own coordinates to the pixels: every space side by side.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
@@ -52,7 +53,11 @@ class Pipeline : public ClonableDemo<Pipeline> {
   }
 
   void draw(const Step&, Image<Srgb8>& picture) override {
-    const float w = static_cast<float>(width() / 2), h = static_cast<float>(height() / 2);
+    // Four panes; one pixel is in both halves of a picture that has no more.
+    const int half_width = std::max(1, width() / 2), half_height = std::max(1, height() / 2);
+    const float w = static_cast<float>(half_width), h = static_cast<float>(half_height);
+    const float right = static_cast<float>(std::min(half_width, width() - half_width));
+    const float lower = static_cast<float>(std::min(half_height, height() - half_height));
     orbit_.aim(camera_, kCentre);
     camera_.set_field_of_view(static_cast<float>(knob(kFieldOfView).value) * kDegree, w / h);
     camera_.near_plane = static_cast<float>(knob(kNear).value);
@@ -69,7 +74,7 @@ class Pipeline : public ClonableDemo<Pipeline> {
     world.caption("1  world space", "the object in its place, the camera looking at it");
     if (knob(kMatrices).on()) world.matrix("world from local", world_from_local);
 
-    SpaceView seen = view(w, 0, observer({0, -0.2f, -5.2f}, 24, 0.95f, 0.4f));
+    SpaceView seen = view(right, 0, observer({0, -0.2f, -5.2f}, 24, 0.95f, 0.4f));
     draw_space(seen, mesh, camera_.view_from_world() * world_from_local, camera_.view_from_world(),
                2.2f);
     seen.caption("2  view space", "the eye at the origin, looking down the negative z axis");
@@ -77,12 +82,12 @@ class Pipeline : public ClonableDemo<Pipeline> {
 
     // Shown with z towards the observer, so that it is no mirror image.
     const glm::mat4 flip = glm::scale(glm::mat4(1), glm::vec3(1, 1, -1));
-    SpaceView clip = view(0, h, observer({0, 0, -0.5f}, 5.6f, 0.55f, 0.35f));
+    SpaceView clip = view(0, lower, observer({0, 0, -0.5f}, 5.6f, 0.55f, 0.35f));
     draw_space(clip, mesh, flip * camera_.clip_from_world() * world_from_local,
                flip * camera_.clip_from_world(), 0.5f);
     clip.caption("3  clip space, divided by w", "the view volume is a box; near things have grown");
     if (knob(kMatrices).on()) clip.matrix("clip from view", camera_.clip_from_view());
-    draw_device(view(w, h, camera_), mapped(mesh, world_from_local));
+    draw_device(view(right, lower, camera_), mapped(mesh, world_from_local));
   }
 
   /// The object, and what the camera makes of the world, in one space.

@@ -63,7 +63,8 @@ void Canvas::clear_clip() {
 
 void Canvas::set_clip(const Rect& clip) {
   clear_clip();
-  const float x0 = std::max(clip.x, clip_.x), y0 = std::max(clip.y, clip_.y);
+  const float x0 = std::clamp(clip.x, 0.0f, clip_.width);
+  const float y0 = std::clamp(clip.y, 0.0f, clip_.height);
   clip_ = {x0, y0, std::max(0.0f, std::min(clip.right(), clip_.right()) - x0),
            std::max(0.0f, std::min(clip.bottom(), clip_.bottom()) - y0)};
 }
@@ -80,10 +81,14 @@ void Canvas::blend(int x, int y, Srgb8 colour, float coverage) {
 
 template <typename Coverage>
 void Canvas::cover(float x0, float y0, float x1, float y1, Srgb8 colour, const Coverage& coverage) {
-  const int left = static_cast<int>(std::floor(std::max(x0, clip_.x)));
-  const int top = static_cast<int>(std::floor(std::max(y0, clip_.y)));
-  const int right = static_cast<int>(std::ceil(std::min(x1, clip_.right())));
-  const int bottom = static_cast<int>(std::ceil(std::min(y1, clip_.bottom())));
+  // The clip comes first in each comparison, so that it also stands in for what is not a number;
+  // its sum of start and width may be rounded past the picture.
+  const int left = static_cast<int>(std::floor(std::max(clip_.x, x0)));
+  const int top = static_cast<int>(std::floor(std::max(clip_.y, y0)));
+  const int right =
+      std::min(picture_.width(), static_cast<int>(std::ceil(std::min(clip_.right(), x1))));
+  const int bottom =
+      std::min(picture_.height(), static_cast<int>(std::ceil(std::min(clip_.bottom(), y1))));
   for (int y = top; y < bottom; ++y) {
     for (int x = left; x < right; ++x) {
       const float c =

@@ -1,6 +1,7 @@
 // Draws text, lines and boxes on a finished picture, smooth at its own resolution.
 #pragma once
 
+#include <algorithm>
 #include <glm/vec2.hpp>
 #include <span>
 #include <string_view>
@@ -18,7 +19,11 @@ struct Rect {
   bool contains(float px, float py) const {
     return px >= x && py >= y && px < right() && py < bottom();
   }
-  Rect shrunk(float by) const { return {x + by, y + by, width - 2 * by, height - 2 * by}; }
+  /// By that much at each side, at most to a point or a line at its centre.
+  Rect shrunk(float by) const {
+    const float across = std::min(by, width * 0.5f), down = std::min(by, height * 0.5f);
+    return {x + across, y + down, width - 2 * across, height - 2 * down};
+  }
 };
 
 /// Where text stands from its x.
