@@ -64,6 +64,16 @@ void check_writable(const std::string& output) {
   if (access(folder.c_str(), W_OK) != 0) fail("cannot write to the folder " + folder.string());
 }
 
+std::string output_in_out(const std::string& stem, bool several_frames) {
+  const std::string folder = "out";
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (fault) {
+    throw Error(ErrorKind::kCannotWrite, "cannot make the folder: " + fault.message(), folder);
+  }
+  return folder + "/" + stem + (several_frames ? ".y4m" : ".png");
+}
+
 Film::Film(std::string output, FilmFormat format, Size size, Rate rate)
     : output_(std::move(output)), format_(format) {
   check_writable(output_);

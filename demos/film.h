@@ -26,6 +26,10 @@ std::string numbered_name(const std::string& pattern, int number);
 /// not end in vain
 void check_writable(const std::string& output);
 
+/// Where pictures go that nobody named: out/STEM.png, or .y4m for several frames. Makes the folder.
+/// @throws Error (cannot write) if there can be no such folder
+std::string output_in_out(const std::string& stem, bool several_frames);
+
 /// Takes frames in order. What it wrote appears when it is whole: numbered pictures one by one, a
 /// film when closed.
 class Film {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 
 #include "demos/commands/commands.h"
 #include "demos/console.h"
@@ -75,14 +74,10 @@ int film_demo(const DemoInfo& demo, const Options& options, const std::string& o
   return 0;
 }
 
-/// Where a picture goes that nobody named, in a folder that is made if need be.
+/// Films what nobody named a place for.
 int film_to_out(const DemoInfo& demo, const Options& options, const std::string& why) {
   const bool several = options.picture.frames && options.picture.frames->count() > 1;
-  const std::string output = "out/" + std::string(demo.name) + (several ? ".y4m" : ".png");
-  std::error_code fault;
-  std::filesystem::create_directories("out", fault);
-  if (fault)
-    throw Error(ErrorKind::kCannotWrite, "cannot make the folder: " + fault.message(), "out");
+  const std::string output = output_in_out(std::string(demo.name), several);
   const int exit_code = film_demo(demo, options, output);
   print_remark(why + "; wrote " + output, options.common.quiet);
   return exit_code;

@@ -45,9 +45,8 @@ Options with_up_of_files(Options options) {
 /// Where the pictures go; empty: nowhere, only figures are wanted.
 std::string output_of(const Options& options, bool several) {
   if (!options.picture.output.empty() || options.common.json) return options.picture.output;
-  std::filesystem::create_directories("out");
-  const std::string stem = std::filesystem::path(options.render.models.front()).stem().string();
-  return "out/" + stem + (several ? ".y4m" : ".png");
+  return output_in_out(std::filesystem::path(options.render.models.front()).stem().string(),
+                       several);
 }
 
 void check_together(const Options& options, FilmFormat format) {

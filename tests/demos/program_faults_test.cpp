@@ -115,6 +115,21 @@ TEST(ProgramBadOutput, FolderMissingOrInTheWayOrReadOnly) {
   EXPECT_THAT(folder.files(), ElementsAre("m.obj", "taken.png"));
 }
 
+TEST(ProgramBadOutput, OutIsNoFolder) {
+  TemporaryFolder folder;
+  write_text(folder / "m.obj", cube_obj());
+  write_text(folder / "out", "precious");
+  const std::vector<std::vector<std::string>> commands{
+      render("m.obj", {}), render("m.obj", {"--frames", "2"}), {"demo", "teapot"}, {}};
+  for (const auto& arguments : commands) {
+    const RunResult run = run_kinescope(arguments, {.folder = folder.path()});
+    EXPECT_EQ(run.exit_code, 4) << run.err;
+    EXPECT_EQ(run.err, "kinescope: out: cannot make the folder: Not a directory\n");
+  }
+  EXPECT_EQ(read_text(folder / "out"), "precious");
+  EXPECT_THAT(folder.files(), ElementsAre("m.obj", "out"));
+}
+
 TEST(ProgramBadOutput, FullDisk) {
   TemporaryFolder folder;
   write_text(folder / "m.obj", cube_obj());
