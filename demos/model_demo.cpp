@@ -8,10 +8,9 @@
 #include <utility>
 
 #include "demos/easel.h"
-#include "demos/gamma_correction.h"
 #include "demos/model_view.h"
-#include "demos/monitor.h"
 #include "demos/orbit.h"
+#include "demos/tube_view.h"
 
 namespace kinescope {
 namespace {
@@ -50,8 +49,7 @@ class ModelDemo : public ClonableDemo<ModelDemo> {
                          "coverage samples a pixel"),
              toggle_knob("tube", "d", !bare, "the display: its tube, or the bare picture")}),
         exhibit_(std::move(exhibit)),
-        monitor_(exhibit_->tube, PixelFormat::kXrgb8888, whole_picture(*this)),
-        correct_(exhibit_->tube.gamma),
+        view_(exhibit_->tube, whole_picture(*this)),
         easel_(std::make_shared<Easel>(setup.studio->workers)) {
     const glm::vec3 sight = exhibit_->camera.eye - exhibit_->camera.look_at;
     orbit_.distance = glm::length(sight);
@@ -61,27 +59,22 @@ class ModelDemo : public ClonableDemo<ModelDemo> {
     orbit_.farthest = orbit_.distance * 20;
   }
 
-  std::size_t state_bytes() const override { return monitor_.state_bytes(); }
-  Rate refresh() const override { return monitor_.refresh(); }
+  std::size_t state_bytes() const override { return view_.state_bytes(); }
+  Rate refresh() const override { return view_.refresh(); }
 
  private:
-  void resized() override { monitor_.resize(whole_picture(*this)); }
+  void resized() override { view_.resize(whole_picture(*this)); }
 
   void update(const Step& step) override {
     for (const InputEvent& event : step.events) orbit_.answer(event);
   }
 
   void draw(const Step& step, Image<Srgb8>& picture) override {
-    if (!knob(kTube).on()) {
-      monitor_.switch_off();
-      picture = render(width(), height());
-      return;
-    }
-    const VideoMode& mode = monitor_.scan().mode();
-    if (monitor_.frame_begins(step)) {
-      monitor_.show(correct_(render(mode.horizontal.active, mode.vertical.active)));
-    }
-    monitor_.expose(step, studio().workers, picture);
+    const auto drawn = [this](int width, int height) -> const Image<Srgb8>& {
+      return render(width, height);
+    };
+    knob(kTube).on() ? view_.expose(step, studio().workers, drawn, picture)
+                     : view_.draw_bare(drawn, picture);
   }
 
   const Image<Srgb8>& render(int width, int height) {
@@ -99,8 +92,7 @@ class ModelDemo : public ClonableDemo<ModelDemo> {
   }
 
   std::shared_ptr<const Exhibit> exhibit_;
-  Monitor monitor_;
-  GammaCorrection correct_;
+  TubeView view_;
   Orbit orbit_;
   std::shared_ptr<Easel> easel_;
 };

@@ -3,8 +3,8 @@
 
 #include "demos/demo.h"
 #include "demos/easel.h"
-#include "demos/monitor.h"
 #include "demos/orbit.h"
+#include "demos/tube_view.h"
 #include "display/video_mode.h"
 #include "engine/teapot.h"
 
@@ -59,7 +59,7 @@ class Teapot : public ClonableDemo<Teapot> {
                     toggle_knob("turning", "t", true, "turn while nobody drags"),
                     number_knob("fineness", "-", "=", 2, 18, 2, 10, "",
                                 "quads along each side of a Bezier patch")}),
-        monitor_({parse_mode("640x480@60")}, PixelFormat::kXrgb8888, whole_picture(*this)),
+        view_({parse_mode("640x480@60")}, whole_picture(*this)),
         scene_(teapot_scene(10)),
         easel_(std::make_shared<Easel>(setup.studio->workers)) {
     orbit_.distance = 9.6f;
@@ -67,11 +67,11 @@ class Teapot : public ClonableDemo<Teapot> {
     orbit_.farthest = 30;
   }
 
-  std::size_t state_bytes() const override { return monitor_.state_bytes(); }
-  Rate refresh() const override { return monitor_.refresh(); }
+  std::size_t state_bytes() const override { return view_.state_bytes(); }
+  Rate refresh() const override { return view_.refresh(); }
 
  private:
-  void resized() override { monitor_.resize(whole_picture(*this)); }
+  void resized() override { view_.resize(whole_picture(*this)); }
 
   void update(const Step& step) override {
     for (const InputEvent& event : step.events) orbit_.answer(event);
@@ -87,21 +87,14 @@ class Teapot : public ClonableDemo<Teapot> {
   }
 
   void draw(const Step& step, Image<Srgb8>& picture) override {
-    const VideoMode& mode = monitor_.scan().mode();
-    if (!knob(kTube).on()) {
-      monitor_.switch_off();
-      render(width(), height());
-      picture = easel_->target.srgb8();
-      return;
-    }
-    if (monitor_.frame_begins(step)) {
-      render(mode.horizontal.active, mode.vertical.active);
-      monitor_.show(easel_->target.srgb8());
-    }
-    monitor_.expose(step, studio().workers, picture);
+    const auto drawn = [this](int width, int height) -> const Image<Srgb8>& {
+      return render(width, height);
+    };
+    knob(kTube).on() ? view_.expose(step, studio().workers, drawn, picture)
+                     : view_.draw_bare(drawn, picture);
   }
 
-  void render(int width, int height) {
+  const Image<Srgb8>& render(int width, int height) {
     const int samples = kSampleCounts[static_cast<std::size_t>(knob(kSamples).index())];
     RenderTarget& target = easel_->prepare(width, height, samples);
     target.clear = {0.013f, 0.016f, 0.024f, 1};
@@ -115,9 +108,10 @@ class Teapot : public ClonableDemo<Teapot> {
     settings.wireframe = settings.hidden_wire = knob(kShading).index() == 0;
     settings.shading = kModels[static_cast<std::size_t>(knob(kShading).index())];
     easel_->renderer.render(*scene_, camera, settings, target);
+    return target.srgb8();
   }
 
-  Monitor monitor_;
+  TubeView view_;
   Orbit orbit_;
   int fineness_ = 10;
   std::shared_ptr<const Scene> scene_;
