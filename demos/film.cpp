@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "demos/machine.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -72,6 +73,18 @@ std::string output_in_out(const std::string& stem, bool several_frames) {
     throw Error(ErrorKind::kCannotWrite, "cannot make the folder: " + fault.message(), folder);
   }
   return folder + "/" + stem + (several_frames ? ".y4m" : ".png");
+}
+
+void check_memory(Size size, double bytes) {
+  // Tiles, bins and rows at work; a tenth was measured from 1024x1024 to 4096x4096.
+  constexpr double kWithWork = 1.1;
+  constexpr double kGib = 1 << 30;
+  const double need = kWithWork * bytes, have = available_memory_bytes();
+  if (need < have) return;
+  throw Error(ErrorKind::kUsage,
+              fmt::format("{}x{} takes about {:.1f} GiB of memory, and {:.1f} GiB are free",
+                          size.width, size.height, need / kGib, have / kGib),
+              "--size");
 }
 
 Film::Film(std::string output, FilmFormat format, Size size, Rate rate)

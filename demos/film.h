@@ -2,12 +2,14 @@
 // output.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
 #include "demos/picture.h"
 #include "raster/base/output_file.h"
 #include "raster/base/units.h"
+#include "raster/colour/colour.h"
 #include "raster/image/codecs.h"
 
 namespace kinescope {
@@ -29,6 +31,16 @@ void check_writable(const std::string& output);
 /// Where pictures go that nobody named: out/STEM.png, or .y4m for several frames. Makes the folder.
 /// @throws Error (cannot write) if there can be no such folder
 std::string output_in_out(const std::string& stem, bool several_frames);
+
+/// Bytes that a pixel of a photographed tube takes: the light of a refresh, the sum over an
+/// exposure, the encoded pixel and its copy on black.
+constexpr double tube_bytes_a_pixel(std::size_t encoded_bytes) {
+  return static_cast<double>(2 * sizeof(LinearRgb) + 2 * encoded_bytes);
+}
+
+/// @param bytes that pictures of this size take
+/// @throws Error (usage) if there is less memory than that
+void check_memory(Size size, double bytes);
 
 /// Takes frames in order. What it wrote appears when it is whole: numbered pictures one by one, a
 /// film when closed.

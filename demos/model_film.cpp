@@ -63,16 +63,13 @@ ModelFilmPlan plan_model_film(const Options& options) {
 }
 
 void check_memory(const ModelFilmPlan& plan, const Options& options) {
-  // Bytes a pixel, measured: colour, encoded copies and, on a tube, light and phosphor.
-  const double drawn_cost = options.picture.depth_bits == 16 && plan.bare ? 26 : 6;
-  const double tube_cost = plan.bare ? 0 : 36;
-  const double need = drawn_cost * plan.drawn.width * plan.drawn.height +
-                      tube_cost * plan.size.width * plan.size.height;
-  const double have = available_memory_bytes();
-  if (need < have) return;
-  constexpr double kGib = 1 << 30;
-  refuse("--size", fmt::format("{}x{} takes about {:.1f} GiB of memory, and {:.1f} GiB are free",
-                               plan.size.width, plan.size.height, need / kGib, have / kGib));
+  const bool deep = options.picture.depth_bits == 16;
+  const std::size_t encoded = deep ? sizeof(Srgb16) : sizeof(Srgb8);
+  // The render target; a bare picture of 16 bits is encoded from linear light.
+  const std::size_t drawn = deep && plan.bare ? sizeof(LinearRgba) + encoded : sizeof(Srgb8);
+  const double tube = plan.bare ? 0 : tube_bytes_a_pixel(encoded);
+  check_memory(plan.size, static_cast<double>(drawn) * plan.drawn.width * plan.drawn.height +
+                              tube * plan.size.width * plan.size.height);
 }
 
 ModelFilm::ModelFilm(ModelView& view, const ModelFilmPlan& plan, const Options& options,

@@ -24,6 +24,11 @@ DemoOptions session_options(const Options& options) {
   return session;
 }
 
+void check_memory(const DemoOptions& session) {
+  const double pixels = 1.0 * session.width * session.height;
+  check_memory(Size{session.width, session.height}, tube_bytes_a_pixel(sizeof(Srgb8)) * pixels);
+}
+
 bool can_open_window(const Options& options) {
   return !options.common.headless && Presenter::available();
 }
@@ -90,6 +95,7 @@ std::string why_no_window(const Options& options) {
 }  // namespace
 
 int run_gallery(const Options& options) {
+  check_memory(session_options(options));
   if (can_open_window(options)) return run_gallery_window(session_options(options));
   return film_to_out(all_demos().front(), options, why_no_window(options));
 }
@@ -100,6 +106,7 @@ int run_demo(const Options& options) {
   if (options.common.json && picture.output == "-") {
     throw Error(ErrorKind::kUsage, "standard output cannot hold both a picture and --json", "-o");
   }
+  check_memory(session_options(options));
   if (!picture.output.empty()) return film_demo(demo, options, picture.output);
   if (can_open_window(options)) return run_demo_window(demo, session_options(options));
   return film_to_out(demo, options, why_no_window(options));

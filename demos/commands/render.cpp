@@ -104,7 +104,6 @@ int film_models(const Options& options, const ModelFilmPlan& plan, const std::st
   if (!output.empty()) {
     const FilmFormat format = film_format(output, options.picture.format, plan.several());
     check_together(options, format);
-    check_memory(plan, options);
     film.emplace(output, format, plan.size, plan.rate);
   }
   Warnings warnings;
@@ -148,6 +147,7 @@ int show_models(const Options& options, const ModelFilmPlan& plan) {
 int run_render(const Options& as_typed) {
   const Options options = with_up_of_files(as_typed);
   const ModelFilmPlan plan = plan_model_film(options);
+  check_memory(plan, options);
   const bool wants_window =
       options.picture.output.empty() && !options.common.headless && !options.common.json;
   if (wants_window && Presenter::available()) return show_models(options, plan);
