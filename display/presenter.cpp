@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <thread>
 
 #include "raster/base/error.h"
 
@@ -256,12 +257,25 @@ void Presenter::State::translate(const SDL_Event& in, std::vector<InputEvent>& o
 }
 
 std::vector<InputEvent> Presenter::poll(Seconds wait) {
+  using Clock = std::chrono::steady_clock;
+  // Not SDL_WaitEventTimeout(): for each event that ends it SDL's X11 driver sends the window a
+  // message over a second connection. If the window is destroyed before the server comes to that,
+  // Xlib ends the program with BadWindow.
+  constexpr Seconds kNap(0.002);
+  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                      std::clamp(wait, Seconds(0), Seconds(3600)));
   std::vector<InputEvent> events;
-  SDL_Event event;
-  const int wait_ms = static_cast<int>(std::ceil(std::clamp(wait.count(), 0.0, 3600.0) * 1000));
-  int more = wait_ms > 0 ? SDL_WaitEventTimeout(&event, wait_ms) : SDL_PollEvent(&event);
-  for (; more != 0; more = SDL_PollEvent(&event)) state_->translate(event, events);
-  return events;
+  while (true) {
+    SDL_Event event;
+    bool any = false;
+    while (SDL_PollEvent(&event) != 0) {
+      state_->translate(event, events);
+      any = true;
+    }
+    const Seconds left = end - Clock::now();
+    if (any || left <= Seconds(0)) return events;
+    std::this_thread::sleep_for(std::min(left, kNap));
+  }
 }
 
 }  // namespace kinescope

@@ -45,9 +45,9 @@ class Window : public ::testing::Test {
     ASSERT_FALSE(display_->name().empty()) << "Xvfb did not start";
   }
 
-  void start(std::vector<std::string> arguments) {
+  void start(std::vector<std::string> arguments, const std::string& size = "640x480") {
     arguments.insert(arguments.begin(), KINESCOPE_BIN_DIR "/kinescope");
-    arguments.insert(arguments.end(), {"--size", "640x480"});
+    arguments.insert(arguments.end(), {"--size", size});
     program_.emplace(arguments,
                      std::vector<std::string>{"DISPLAY=" + display_->name(), "SDL_VIDEODRIVER=x11",
                                               "SDL_AUDIODRIVER=dummy"},
@@ -114,6 +114,38 @@ TEST_F(Window, ShowsTheTeapotAndAnswersKeys) {
   EXPECT_EQ(program_->wait(kPatience), 0);
   EXPECT_EQ(folder_.files(), (std::vector<std::string>{"kinescope-teapot-0001.png", "said.txt"}));
   EXPECT_EQ(test::read_text(folder_ / "said.txt"), "");
+}
+
+/// The most memory that a process has held so far, bytes.
+std::size_t peak_memory(pid_t pid) {
+  const std::string status = test::read_text("/proc/" + std::to_string(pid) + "/status");
+  const std::size_t place = status.find("VmHWM:");
+  return place == std::string::npos ? 0 : std::stoul(status.substr(place + 6)) * 1024;
+}
+
+TEST_F(Window, EscapeLeavesFullScreenFirst) {
+  start({"demo", "teapot"});
+  ASSERT_TRUE(shown());
+  key("F11");
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  key("Escape");
+  EXPECT_FALSE(program_->wait(1)) << "Escape left more than full screen";
+  ASSERT_TRUE(shown());
+  key("Escape");
+  EXPECT_EQ(program_->wait(kPatience), 0) << test::read_text(folder_ / "said.txt");
+}
+
+TEST_F(Window, HoldsTheTeapotInLittleMemory) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer's own memory would be counted";
+#endif
+  display_.emplace(1280, 960);
+  start({"demo", "teapot"}, "1280x960");
+  ASSERT_TRUE(shown());
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  const std::size_t peak = peak_memory(program_->pid());
+  EXPECT_GT(peak, 1'000'000u);
+  EXPECT_LT(peak, 150'000'000u);
 }
 
 TEST_F(Window, GalleryStartsADemoAndEscapeReturns) {
