@@ -1,6 +1,7 @@
 // A picture of each demo as it was judged good by eye. KINESCOPE_UPDATE_GOLDEN=1 (or
 // scripts/update-golden) writes them anew: look at each before committing it.
 #include <cstdlib>
+#include <ostream>
 #include <string>
 
 #include "demo_testing.h"
@@ -46,6 +47,8 @@ struct Golden {
   std::int64_t frame;
   std::string script;
 };
+
+void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.file; }
 
 class GoldenPicture : public ::testing::TestWithParam<Golden> {};
 
