@@ -39,7 +39,7 @@ HWY_INLINE void set_planes(const DrawCall& call, std::size_t k, WeightPlanes& p)
     hn::Store(snap(from.y_px), i, y[v].data());
     inv_w[v] = hn::GatherIndex(f, from.inv_w.data(), vertex);
   }
-  // Twice the area needs 50 bits. It is negative if counter-clockwise, since y runs down.
+  // Twice the area may need 50 bits. It is negative if counter-clockwise, since y runs down.
   HWY_ALIGN std::array<float, 8> area;
   for (std::size_t lane = 0; lane < hn::Lanes(f); ++lane) {
     const std::int64_t x1 = x[1][lane] - x[0][lane], y1 = y[1][lane] - y[0][lane];
@@ -69,77 +69,142 @@ HWY_INLINE void set_planes(const DrawCall& call, std::size_t k, WeightPlanes& p)
   store(hn::CopySign(hn::Set(f, 1.0f), hn::Neg(scale)), p.facing);
 }
 
-/// Fragments [first, end) of one triangle, in whole vectors: what is written past the end belongs
-/// to the next run, or to the padding.
-HWY_INLINE void interpolate_run(const DrawCall& call, std::size_t run, int first, int end,
-                                BatchStorage& batch) {
+#if HWY_TARGET != HWY_SCALAR  // has no vectors of four
+/// Four floats of one row in the low half of a vector, of another in the high; of the first alone
+/// where vectors are of four.
+template <class D>
+HWY_INLINE hn::Vec<D> load_fours(D d, const float* low, const float* high) {
+  const hn::FixedTag<float, 4> four;
+  if constexpr (hn::MaxLanes(D()) == 8) {
+    return hn::Combine(d, hn::LoadU(four, high), hn::LoadU(four, low));
+  } else {
+    return hn::LoadU(d, low);
+  }
+}
+#endif
+
+/// One corner's rows of attributes of runs [k, k + lanes), turned into planes: to[a][k + lane].
+HWY_INLINE void transpose_rows(const DrawCall& call, std::size_t v, std::size_t k,
+                               WeightPlanes& p) {
+  const F f;
+  const std::size_t lanes = hn::Lanes(f);
+  const auto count = static_cast<std::size_t>(call.attribute_count);
+  const auto stride = static_cast<std::size_t>(call.attribute_stride);
+  const auto row = [&](std::size_t lane) {
+    return call.attributes.data() + p.vertex[v][k + lane] * stride;
+  };
+  WeightPlanes::Attributes& to = p.attribute[v];
+  std::size_t a = 0;
+#if HWY_TARGET != HWY_SCALAR  // has no vectors of four
+  const hn::RepartitionToWide<F> pairs;
+  const auto load = [&](std::size_t j)
+                        HWY_ATTR { return load_fours(f, row(j) + a, row(j + lanes - 4) + a); };
+  const auto store = [&](auto value, std::size_t at)
+                         HWY_ATTR { hn::Store(hn::BitCast(f, value), f, to[at].data() + k); };
+  for (; a < count && a + 4 <= stride; a += 4) {
+    const auto r0 = load(0), r1 = load(1), r2 = load(2), r3 = load(3);
+    const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(f, r0, r1));
+    const auto low23 = hn::BitCast(pairs, hn::InterleaveLower(f, r2, r3));
+    const auto high01 = hn::BitCast(pairs, hn::InterleaveUpper(f, r0, r1));
+    const auto high23 = hn::BitCast(pairs, hn::InterleaveUpper(f, r2, r3));
+    store(hn::InterleaveLower(pairs, low01, low23), a);
+    store(hn::InterleaveUpper(pairs, low01, low23), a + 1);
+    store(hn::InterleaveLower(pairs, high01, high23), a + 2);
+    store(hn::InterleaveUpper(pairs, high01, high23), a + 3);
+  }
+#endif
+  for (; a < count; ++a) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) to[a][k + lane] = row(lane)[a];
+  }
+}
+
+/// Attributes of runs [k, k + lanes) at the first corner, and their rise to the other two.
+HWY_INLINE void set_attributes(const DrawCall& call, std::size_t k, WeightPlanes& p) {
+  const F f;
+  for (std::size_t v = 0; v < 3; ++v) transpose_rows(call, v, k, p);
+  for (std::size_t a = 0; a < static_cast<std::size_t>(call.attribute_count); ++a) {
+    const auto base = hn::Load(f, p.attribute[0][a].data() + k);
+    for (std::size_t v = 1; v < 3; ++v) {
+      float* const at = p.attribute[v][a].data() + k;
+      hn::Store(hn::Sub(hn::Load(f, at), base), f, at);
+    }
+  }
+}
+
+/// Fragments [k, k + lanes). Each belongs to the run of the one before or to the next run, so that
+/// all their planes lie within one vector of each array.
+HWY_INLINE void interpolate_vector(const DrawCall& call, std::size_t k, BatchStorage& batch) {
   const F f;
   const I i;
   const U16 u16;
-  const int lanes = static_cast<int>(hn::Lanes(f));
+  using V = hn::Vec<F>;
   const auto half = hn::Set(f, 0.5f), zero = hn::Zero(f), one = hn::Set(f, 1.0f);
-  const int uv = call.texcoord_attribute;
   const WeightPlanes& p = batch.planes;
-  const auto row = [&](std::size_t v) {
-    return call.attributes.data() +
-           std::size_t{p.vertex[v][run]} * static_cast<unsigned>(call.attribute_stride);
+  const auto first = static_cast<std::size_t>(p.run[k]);
+  const auto within =
+      hn::IndicesFromVec(f, hn::Sub(hn::LoadU(i, p.run.data() + k), hn::Set(i, p.run[k])));
+  const auto of = [&](const WeightPlanes::Runs<float>& plane) HWY_ATTR {
+    return hn::TableLookupLanes(hn::LoadU(f, plane.data() + first), within);
   };
-  const float *const row0 = row(0), *const row1 = row(1), *const row2 = row(2);
-  for (int k = first; k < end; k += lanes) {
-    const auto px = hn::ConvertTo(f, hn::PromoteTo(i, hn::LoadU(u16, batch.x.data() + k)));
-    const auto py = hn::ConvertTo(f, hn::PromoteTo(i, hn::LoadU(u16, batch.y.data() + k)));
-    const auto dx = hn::Sub(hn::Add(px, half), hn::Set(f, p.x_px[run]));
-    const auto dy = hn::Sub(hn::Add(py, half), hn::Set(f, p.y_px[run]));
-    const auto sum = hn::MulAdd(dx, hn::Set(f, p.dx_sum[run]),
-                                hn::MulAdd(dy, hn::Set(f, p.dy_sum[run]), hn::Set(f, p.w0[run])));
-    const auto inverse = hn::Div(one, sum);
-    const auto raw1 = hn::MulAdd(dx, hn::Set(f, p.dx1[run]), hn::Mul(dy, hn::Set(f, p.dy1[run])));
-    const auto raw2 = hn::MulAdd(dx, hn::Set(f, p.dx2[run]), hn::Mul(dy, hn::Set(f, p.dy2[run])));
-    const auto w1 = hn::Min(hn::Max(hn::Mul(raw1, inverse), zero), one);
-    const auto w2 = hn::Min(hn::Max(hn::Mul(raw2, inverse), zero), hn::Sub(one, w1));
-    for (int a = 0; a < call.attribute_count; ++a) {
-      const float a0 = row0[a];
-      const auto d1 = hn::Set(f, row1[a] - a0), d2 = hn::Set(f, row2[a] - a0);
-      const auto value = hn::MulAdd(w2, d2, hn::MulAdd(w1, d1, hn::Set(f, a0)));
-      hn::StoreU(value, f, batch.attribute[static_cast<std::size_t>(a)].data() + k);
-    }
-    if (call.cull == CullMode::kNone) {
-      hn::StoreU(hn::Set(f, p.facing[run]), f, batch.facing.data() + k);
-    }
-    if (uv < 0) continue;
-    const auto gradient = [&](float d1, float d2, float dsum, std::size_t u_at, std::size_t v_at) {
-      // The derivative of weight / sum.
-      const auto g1 = hn::Mul(inverse, hn::NegMulAdd(w1, hn::Set(f, dsum), hn::Set(f, d1)));
-      const auto g2 = hn::Mul(inverse, hn::NegMulAdd(w2, hn::Set(f, dsum), hn::Set(f, d2)));
-      for (int a = 0; a < 2; ++a) {
-        const float a0 = row0[uv + a];
-        const auto value = hn::MulAdd(g2, hn::Set(f, row2[uv + a] - a0),
-                                      hn::Mul(g1, hn::Set(f, row1[uv + a] - a0)));
-        hn::StoreU(value, f, batch.gradient[a == 0 ? u_at : v_at].data() + k);
-      }
-    };
-    gradient(p.dx1[run], p.dx2[run], p.dx_sum[run], 0, 1);
-    gradient(p.dy1[run], p.dy2[run], p.dy_sum[run], 2, 3);
+  const V px = hn::ConvertTo(f, hn::PromoteTo(i, hn::LoadU(u16, batch.x.data() + k)));
+  const V py = hn::ConvertTo(f, hn::PromoteTo(i, hn::LoadU(u16, batch.y.data() + k)));
+  const V dx = hn::Sub(hn::Add(px, half), of(p.x_px));
+  const V dy = hn::Sub(hn::Add(py, half), of(p.y_px));
+  const V sum = hn::MulAdd(dx, of(p.dx_sum), hn::MulAdd(dy, of(p.dy_sum), of(p.w0)));
+  const V inverse = hn::Div(one, sum);
+  const V raw1 = hn::MulAdd(dx, of(p.dx1), hn::Mul(dy, of(p.dy1)));
+  const V raw2 = hn::MulAdd(dx, of(p.dx2), hn::Mul(dy, of(p.dy2)));
+  const V w1 = hn::Min(hn::Max(hn::Mul(raw1, inverse), zero), one);
+  const V w2 = hn::Min(hn::Max(hn::Mul(raw2, inverse), zero), hn::Sub(one, w1));
+  for (std::size_t a = 0; a < static_cast<std::size_t>(call.attribute_count); ++a) {
+    const V value = hn::MulAdd(w2, of(p.attribute[2][a]),
+                               hn::MulAdd(w1, of(p.attribute[1][a]), of(p.attribute[0][a])));
+    hn::Store(value, f, batch.attribute[a].data() + k);
   }
+  if (call.cull == CullMode::kNone) hn::Store(of(p.facing), f, batch.facing.data() + k);
+  if (call.texcoord_attribute < 0) return;
+  const auto uv = static_cast<std::size_t>(call.texcoord_attribute);
+  const auto gradient = [&](V d1, V d2, V dsum, std::size_t out) HWY_ATTR {
+    // The derivative of weight / sum.
+    const V g1 = hn::Mul(inverse, hn::NegMulAdd(w1, dsum, d1));
+    const V g2 = hn::Mul(inverse, hn::NegMulAdd(w2, dsum, d2));
+    for (std::size_t a = 0; a < 2; ++a) {
+      const V value =
+          hn::MulAdd(g2, of(p.attribute[2][uv + a]), hn::Mul(g1, of(p.attribute[1][uv + a])));
+      hn::Store(value, f, batch.gradient[out + a].data() + k);
+    }
+  };
+  gradient(of(p.dx1), of(p.dx2), of(p.dx_sum), 0);
+  gradient(of(p.dy1), of(p.dy2), of(p.dy_sum), 2);
+}
+
+/// Finds the runs; returns how many there are.
+HWY_INLINE std::size_t find_runs(std::size_t size, BatchStorage& batch) {
+  WeightPlanes& p = batch.planes;
+  std::int32_t run = 0;
+  p.triangle[0] = batch.triangle[0];
+  p.run[0] = 0;
+  for (std::size_t k = 1; k < size; ++k) {
+    // Written either way: nobody can predict where a small triangle ends.
+    run += batch.triangle[k] != batch.triangle[k - 1] ? 1 : 0;
+    p.triangle[static_cast<std::size_t>(run)] = batch.triangle[k];
+    p.run[k] = run;
+  }
+  return static_cast<std::size_t>(run) + 1;
 }
 
 void Interpolate(const DrawCall& call, int size, BatchStorage& batch) {
   WeightPlanes& p = batch.planes;
-  std::size_t runs = 0;
-  for (int i = 0; i < size; ++i) {
-    const std::uint32_t triangle = batch.triangle[static_cast<std::size_t>(i)];
-    if (runs > 0 && p.triangle[runs - 1] == triangle) continue;
-    p.triangle[runs] = triangle;
-    p.first[runs++] = i;
-  }
-  p.first[runs] = size;
-  const std::size_t lanes = hn::Lanes(F());
-  // Whole vectors of triangles that exist.
+  const auto end = static_cast<std::size_t>(size);
+  const std::size_t runs = find_runs(end, batch), lanes = hn::Lanes(F());
+  // Whole vectors of triangles that exist, and of fragments of the last.
   for (std::size_t k = runs; k % lanes != 0; ++k) p.triangle[k] = p.triangle[0];
-  for (std::size_t k = 0; k < runs; k += lanes) set_planes(call, k, p);
-  for (std::size_t run = 0; run < runs; ++run) {
-    interpolate_run(call, run, p.first[run], p.first[run + 1], batch);
+  for (std::size_t k = end; k % lanes != 0; ++k) p.run[k] = p.run[end - 1];
+  for (std::size_t k = 0; k < runs; k += lanes) {
+    set_planes(call, k, p);
+    set_attributes(call, k, p);
   }
+  for (std::size_t k = 0; k < end; k += lanes) interpolate_vector(call, k, batch);
 }
 
 void UnpackFragments(const std::uint32_t* id, const std::uint32_t* xy, std::uint32_t first_id,

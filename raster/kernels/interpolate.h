@@ -17,12 +17,16 @@ struct WeightPlanes {
   using Runs = std::array<T, Batch::kMaxSize + 16>;
 
   alignas(64) Runs<std::uint32_t> triangle{};
-  alignas(64) Runs<std::int32_t> first{};  ///< fragment of the batch
   alignas(64) Runs<float> x_px{}, y_px{};  ///< anchor: the first vertex
   alignas(64) Runs<float> w0{};            ///< the sum there: 1/w of that vertex
   alignas(64) Runs<float> dx1{}, dy1{}, dx2{}, dy2{}, dx_sum{}, dy_sum{};  ///< a pixel
   alignas(64) Runs<float> facing{};                                        ///< as Batch::facing
   alignas(64) std::array<Runs<std::uint32_t>, 3> vertex{};
+  /// Vertex attributes: the first vertex's, and how much more the second's and third's are.
+  using Attributes = std::array<Runs<float>, Batch::kMaxAttributes>;
+  alignas(64) std::array<Attributes, 3> attribute{};
+
+  alignas(64) Runs<std::int32_t> run{};  ///< of each fragment of the batch, counted from 0
 };
 
 /// The arrays that a Batch points to.
