@@ -38,15 +38,20 @@ struct RecordChunk {
   int size;
 };
 
-/// Fragments as structure of arrays, so that SIMD can append them compressed.
-struct FragmentChunk {
-  static constexpr int kCapacity = 168;
-  std::array<std::uint32_t, kCapacity> place;  ///< index into the tile's sample planes
-  std::array<float, kCapacity> depth;
+/// Fragments, one a pixel and triangle, as structure of arrays, so that SIMD can append them
+/// compressed.
+template <int kSamples>
+struct FragmentChunkOf {
+  static constexpr std::size_t kCapacity = kSamples == 1 ? 168 : 64;
+  std::array<std::uint32_t, kCapacity> pixel;  ///< row * tile_width + column, in the tile
   std::array<std::uint32_t, kCapacity> id;
-  FragmentChunk* next;
+  /// Of each sample; if there are several, infinite where the triangle does not cover one.
+  std::array<std::array<float, kCapacity>, kSamples> depth;
+  FragmentChunkOf* next;
   int size;
 };
+using FragmentChunk = FragmentChunkOf<1>;
+using SampledChunk = FragmentChunkOf<8>;  ///< of a frame with four samples, the first four arrays
 
 /// Hands out chunks and takes them all back at once; memory is kept for the next frame.
 template <typename Chunk>
@@ -96,18 +101,22 @@ struct ChunkList {
 struct Bins {
   std::vector<ChunkList<RecordChunk>> records;
   std::vector<ChunkList<MediumChunk>> medium;
-  std::vector<ChunkList<FragmentChunk>> fragments;
+  std::vector<ChunkList<FragmentChunk>> fragments;  ///< of a frame with one sample a pixel
+  std::vector<ChunkList<SampledChunk>> sampled;     ///< of a frame with more
   ChunkPool<RecordChunk> record_pool;
   ChunkPool<MediumChunk> medium_pool;
   ChunkPool<FragmentChunk> fragment_pool;
+  ChunkPool<SampledChunk> sampled_pool;
 
   void clear(int tiles) {
     records.assign(static_cast<std::size_t>(tiles), {});
     medium.assign(static_cast<std::size_t>(tiles), {});
     fragments.assign(static_cast<std::size_t>(tiles), {});
+    sampled.assign(static_cast<std::size_t>(tiles), {});
     record_pool.take_all_back();
     medium_pool.take_all_back();
     fragment_pool.take_all_back();
+    sampled_pool.take_all_back();
   }
 };
 

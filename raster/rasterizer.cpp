@@ -11,6 +11,7 @@
 #include "raster/kernels/cull.h"
 #include "raster/kernels/gather.h"
 #include "raster/kernels/medium_triangles.h"
+#include "raster/kernels/merge_samples.h"
 #include "raster/kernels/small_triangles.h"
 #include "raster/kernels/spans.h"
 #include "raster/resolve.h"
@@ -130,6 +131,7 @@ void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash
   for (const WorkerState& from : states) {
     draw_medium_triangles(from.bins.medium[at], pattern, state.tile);
     merge_fragments(from.bins.fragments[at], state.tile);
+    merge_samples(from.bins.sampled[at], state.tile);
   }
   if (want_hash) state.stats.visibility_hash += tile_hash(state.tile, target.width);
   gather_visible(state.tile, state.visible);

@@ -80,8 +80,10 @@ void resolve_tile(const TileBuffer& tile, const VisibleFragments& fragments,
   std::visit(write_tile, target.colour);
   if (!target.keep_depth) return;
   for (int y = tile.rect.y0; y < tile.rect.y1; ++y) {
-    const auto at = static_cast<std::ptrdiff_t>(y - tile.rect.y0) * tile.stride;
-    std::copy_n(tile.depth.begin() + at, width, target.depth.row(y) + tile.rect.x0);
+    const float* from = tile.depth.data() +
+                        static_cast<std::ptrdiff_t>(y - tile.rect.y0) * tile.stride * tile.samples;
+    float* const to = target.depth.row(y) + tile.rect.x0;
+    for (int x = 0; x < width; ++x, from += tile.samples) to[x] = *from;
   }
 }
 

@@ -8,14 +8,14 @@
 
 namespace kinescope {
 
-/// Planes, one a sample, of rows of tile_width; what lies beyond the target's edge is not looked
-/// at.
+/// Rows of tile_width pixels, the samples of a pixel side by side; what lies beyond the target's
+/// edge is not looked at.
 struct TileBuffer {
   static constexpr std::uint32_t kNothing = 0xffffffffu;
 
   PixelRect rect;  ///< of the target's pixels
-  int stride = 0;  ///< of a row
-  int plane = 0;   ///< samples of one plane
+  int stride = 0;  ///< pixels of a row
+  int pixels = 0;  ///< of the whole tile
   int samples = 1;
   float farthest = 1;               ///< no sample shows anything beyond this depth
   AlignedVector<float> depth;       ///< 1 where nothing is visible
@@ -24,16 +24,16 @@ struct TileBuffer {
   void begin(const TileGrid& grid, int tile, int sample_count) {
     rect = grid.rect(tile);
     stride = grid.tile_width;
-    plane = grid.tile_width * grid.tile_height;
+    pixels = grid.tile_width * grid.tile_height;
     samples = sample_count;
     farthest = 1;
-    const auto total = static_cast<std::size_t>(plane) * static_cast<std::size_t>(samples);
+    const auto total = static_cast<std::size_t>(pixels) * static_cast<std::size_t>(samples);
     depth.assign(total, 1.0f);
     id.assign(total, kNothing);
   }
 };
 
-/// Depth-tests finished fragments.
+/// Depth-tests finished fragments of pixels with one sample.
 void merge_fragments(const ChunkList<FragmentChunk>& fragments, TileBuffer& tile);
 
 }  // namespace kinescope

@@ -23,17 +23,16 @@ std::uint64_t sample_hash(std::uint64_t sample_index, std::uint32_t id, float de
 
 std::uint64_t tile_hash(const TileBuffer& tile, int target_width) {
   std::uint64_t sum = 0;
-  for (int s = 0; s < tile.samples; ++s) {
-    for (int y = tile.rect.y0; y < tile.rect.y1; ++y) {
-      auto at = static_cast<std::size_t>(s * tile.plane + (y - tile.rect.y0) * tile.stride);
-      for (int x = tile.rect.x0; x < tile.rect.x1; ++x, ++at) {
-        const std::uint64_t pixel =
-            static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(target_width) +
-            static_cast<std::uint64_t>(x);
-        sum += sample_hash(
-            pixel * static_cast<std::uint64_t>(tile.samples) + static_cast<std::uint64_t>(s),
-            tile.id[at], tile.depth[at]);
-      }
+  const auto samples = static_cast<std::uint64_t>(tile.samples);
+  for (int y = tile.rect.y0; y < tile.rect.y1; ++y) {
+    const std::uint64_t pixel =
+        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(target_width) +
+        static_cast<std::uint64_t>(tile.rect.x0);
+    const auto row = static_cast<std::size_t>(y - tile.rect.y0) *
+                     static_cast<std::size_t>(tile.stride) * samples;
+    const std::uint64_t count = samples * static_cast<std::uint64_t>(tile.rect.x1 - tile.rect.x0);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      sum += sample_hash(pixel * samples + i, tile.id[row + i], tile.depth[row + i]);
     }
   }
   return sum;

@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/sample_lanes-inl.h"
 #include "raster/kernels/set_up-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -56,44 +57,51 @@ HWY_INLINE void set_up(const MediumChunk& t, std::size_t k, const PixelRect& rec
   hn::Store(depth.farthest, f, out.farthest.data());
 }
 
-/// One edge along a row of eight pixels: E / 256 rounded down, whose sign is exact.
-struct EdgeRow {
-  VI value, step_y;
+/// One edge down a column of vectors: E / 256 rounded down, whose sign is exact.
+struct EdgeColumn {
+  VI value, step_x, step_y;
 };
 
-HWY_INLINE EdgeRow edge_row(const SetUp& t, std::size_t edge, std::size_t k, SampleOffset sample,
-                            int columns_before) {
+/// @param x  pixel of the vector's first lane
+template <class Lanes>
+HWY_INLINE EdgeColumn edge_column(const SetUp& t, std::size_t edge, std::size_t k,
+                                  const Lanes& lanes, int x) {
   const I i;
-  const std::int32_t dx = t.dx[edge][k], dy = t.dy[edge][k];
-  const std::int32_t e = (t.e[edge][k] + dx * sample.y.raw() - dy * sample.x.raw()) >> 8;
-  const VI columns = hn::Iota(i, -columns_before);
-  return {hn::Sub(hn::Set(i, e), hn::Mul(columns, hn::Set(i, dy))), hn::Set(i, dx)};
+  const VI dx = hn::Set(i, t.dx[edge][k]), dy = hn::Set(i, t.dy[edge][k]);
+  const VI shift = hn::Sub(hn::Mul(dx, lanes.raw_y), hn::Mul(dy, lanes.raw_x));
+  const VI e = hn::ShiftRight<8>(hn::Add(hn::Set(i, t.e[edge][k]), shift));
+  const VI columns = hn::Add(lanes.column, hn::Set(i, x - t.x0[k]));
+  return {hn::Sub(e, hn::Mul(columns, dy)), hn::Set(i, Lanes::kPixels * t.dy[edge][k]), dx};
 }
 
-/// One triangle of the group, one sample, in columns of a vector's width.
-HWY_INLINE void draw_one(const SetUp& t, std::size_t k, std::uint32_t id, SampleOffset sample,
-                         const PixelRect& rect, int stride, float* plane_z,
-                         std::uint32_t* plane_id) {
+/// One triangle of the group, in columns of a vector's width.
+template <class Lanes>
+HWY_INLINE void draw_one(const SetUp& t, std::size_t k, std::uint32_t id, const Lanes& lanes,
+                         TileBuffer& tile) {
   const F f;
   const I i;
   const U u;
-  const int lanes = static_cast<int>(hn::Lanes(f));
   const int x0 = t.x0[k], y0 = t.y0[k], x1 = t.x1[k], y1 = t.y1[k];
   const VF one = hn::Set(f, 1.0f), anchor_y = hn::Set(f, t.anchor_y[k]);
   const VF z0 = hn::Set(f, t.z[k]), dz_dy = hn::Set(f, t.dz_dy[k]), dz_dx = hn::Set(f, t.dz_dx[k]);
   const VF nearest = hn::Set(f, t.nearest[k]), farthest = hn::Set(f, t.farthest[k]);
   const auto ids = hn::Set(u, id);
   const VI minus_one = hn::Set(i, -1);
-  for (int x = x0 & -lanes; x < x1; x += lanes) {
-    EdgeRow a = edge_row(t, 0, k, sample, x0 - x), b = edge_row(t, 1, k, sample, x0 - x),
-            c = edge_row(t, 2, k, sample, x0 - x);
-    const VF px = hn::Add(hn::ConvertTo(f, hn::Iota(i, x)), hn::Set(f, sample.x.to_float()));
+  float* const plane_z = tile.depth.data();
+  std::uint32_t* const plane_id = tile.id.data();
+  const int first = x0 & -Lanes::kPixels;
+  EdgeColumn edge[3];
+  for (std::size_t e = 0; e < 3; ++e) edge[e] = edge_column(t, e, k, lanes, first);
+  const auto stride = static_cast<std::size_t>(tile.stride * Lanes::kSamples);
+  for (int x = first; x < x1; x += Lanes::kPixels) {
+    VI a = edge[0].value, b = edge[1].value, c = edge[2].value;
+    const VF px = hn::Add(hn::ConvertTo(f, hn::Add(lanes.column, hn::Set(i, x))), lanes.x_px);
     const VF column_z = hn::Mul(dz_dx, hn::Sub(px, hn::Set(f, t.anchor_x[k])));
     // Exact: rows are below 2^15 and samples lie in sixteenths.
-    VF py = hn::Set(f, static_cast<float>(y0) + sample.y.to_float());
-    std::size_t at = static_cast<std::size_t>((y0 - rect.y0) * stride + x - rect.x0);
-    for (int y = y0; y < y1; ++y, at += static_cast<std::size_t>(stride)) {
-      const auto covered = hn::Gt(hn::Or(hn::Or(a.value, b.value), c.value), minus_one);
+    VF py = hn::Add(hn::Set(f, static_cast<float>(y0)), lanes.y_px);
+    std::size_t at = lanes.place(tile, x, y0);
+    for (int y = y0; y < y1; ++y, at += stride) {
+      const auto covered = hn::Gt(hn::Or(hn::Or(a, b), c), minus_one);
       if (!hn::AllFalse(i, covered)) {
         const VF row_z = hn::Add(z0, hn::Mul(dz_dy, hn::Sub(py, anchor_y)));
         const VF z = hn::Min(hn::Max(hn::Add(row_z, column_z), nearest), farthest);
@@ -105,16 +113,19 @@ HWY_INLINE void draw_one(const SetUp& t, std::size_t k, std::uint32_t id, Sample
         hn::Store(hn::IfThenElse(wins, z, old_z), f, plane_z + at);
         hn::Store(hn::IfThenElse(hn::RebindMask(u, wins), ids, old_id), u, plane_id + at);
       }
-      a.value = hn::Add(a.value, a.step_y);
-      b.value = hn::Add(b.value, b.step_y);
-      c.value = hn::Add(c.value, c.step_y);
+      a = hn::Add(a, edge[0].step_y);
+      b = hn::Add(b, edge[1].step_y);
+      c = hn::Add(c, edge[2].step_y);
       py = hn::Add(py, one);
     }
+    for (EdgeColumn& e : edge) e.value = hn::Sub(e.value, e.step_x);
   }
 }
 
-void DrawMediumTriangles(const ChunkList<MediumChunk>& triangles,
+template <int kSamples>
+HWY_INLINE void draw_all(const ChunkList<MediumChunk>& triangles,
                          std::span<const SampleOffset> pattern, TileBuffer& tile) {
+  using Lanes = SampleLanes<kSamples>;
   const I i;
   const auto lanes = static_cast<std::size_t>(hn::Lanes(i));
   SetUp group;
@@ -123,15 +134,26 @@ void DrawMediumTriangles(const ChunkList<MediumChunk>& triangles,
     for (std::size_t first = 0; first < size; first += lanes) {
       set_up(*chunk, first, tile.rect, group);
       const std::size_t count = std::min(lanes, size - first);
-      for (std::size_t s = 0; s < pattern.size(); ++s) {
-        const std::size_t plane = s * static_cast<std::size_t>(tile.plane);
+      for (int part = 0; part < Lanes::kParts; ++part) {
+        const Lanes samples(pattern, part);
         for (std::size_t k = 0; k < count; ++k) {
           if (group.nearest[k] > tile.farthest) continue;
-          draw_one(group, k, chunk->id[first + k], pattern[s], tile.rect, tile.stride,
-                   tile.depth.data() + plane, tile.id.data() + plane);
+          draw_one(group, k, chunk->id[first + k], samples, tile);
         }
       }
     }
+  }
+}
+
+void DrawMediumTriangles(const ChunkList<MediumChunk>& triangles,
+                         std::span<const SampleOffset> pattern, TileBuffer& tile) {
+  switch (pattern.size()) {
+    case 1:
+      return draw_all<1>(triangles, pattern, tile);
+    case 4:
+      return draw_all<4>(triangles, pattern, tile);
+    default:
+      return draw_all<8>(triangles, pattern, tile);
   }
 }
 

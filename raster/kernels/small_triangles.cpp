@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/kernels/small_triangles.cpp"
@@ -46,96 +47,160 @@ HWY_INLINE Group set_up(const CulledTriangles::Snapped& t, std::size_t k, std::u
   return g;
 }
 
-/// Calls sink(mask, x, y, z) for each step across the boxes of a group, for one sample.
-template <typename Sink>
-HWY_INLINE void draw_sample(const Group& g, SampleOffset sample, const Sink& sink) {
-  const F f;
+/// What one position of the group's boxes shows: in each lane a pixel of that lane's triangle.
+template <int kSamples>
+struct Step {
+  hn::Mask<I> covered;  // any sample
+  VI x, y;
+  VF z[kSamples];  // if there are several, infinite where a sample is not covered
+};
+
+/// Edges of the group at one sample of the boxes' first pixels: E / 256, rounded down, keeps the
+/// sign, since pixels lie 256 raw units apart and a step by one adds whole numbers, -dy or dx.
+HWY_INLINE void edges_at(const Group& g, SampleOffset sample, VI (&out)[3]) {
   const I i;
-  const VI minus_one = hn::Set(i, -1), one = hn::Set(i, 1);
-  // Dividing by 256, rounded down, keeps the sign: pixels lie 256 raw units apart, so that a step
-  // by one adds whole numbers, -dy or dx.
-  VI row_e[3];
   for (int e = 0; e < 3; ++e) {
     const Edge& edge = g.edge[e];
     const VI shift = hn::Sub(hn::Mul(edge.dx, hn::Set(i, sample.y.raw())),
                              hn::Mul(edge.dy, hn::Set(i, sample.x.raw())));
-    row_e[e] = hn::ShiftRight<8>(hn::Add(edge.e, shift));
+    out[e] = hn::ShiftRight<8>(hn::Add(edge.e, shift));
   }
-  const VF sample_x = hn::Set(f, sample.x.to_float()), sample_y = hn::Set(f, sample.y.to_float());
-  VI y = g.y;
+}
+
+/// Calls sink(step) wherever a triangle of the group covers a sample.
+template <int kSamples, typename Sink>
+HWY_INLINE void draw_group(const Group& g, std::span<const SampleOffset> pattern,
+                           const Sink& sink) {
+  const F f;
+  const I i;
+  const VI minus_one = hn::Set(i, -1), one = hn::Set(i, 1);
+  const VF uncovered = hn::Set(f, std::numeric_limits<float>::infinity());
+  VI first[kSamples][3];
+  for (std::size_t s = 0; s < kSamples; ++s) edges_at(g, pattern[s], first[s]);
+  // Along the boxes: the first sample's edges, which all others differ from by constants.
+  VI row[3] = {first[0][0], first[0][1], first[0][2]};
+  for (std::size_t s = 1; s < kSamples; ++s) {
+    for (int e = 0; e < 3; ++e) first[s][e] = hn::Sub(first[s][e], row[e]);
+  }
+  Step<kSamples> step;
+  VF row_z[kSamples];
+  step.y = g.y;
   for (int r = 0; r < g.rows; ++r) {
-    const VF py = hn::Add(hn::ConvertTo(f, y), sample_y);
-    const VF row_z = hn::Add(g.depth.z, hn::Mul(g.depth.dz_dy, hn::Sub(py, g.depth.y_px)));
-    VI e0 = row_e[0], e1 = row_e[1], e2 = row_e[2], x = g.x;
+    const VF y = hn::ConvertTo(f, step.y);
+    for (std::size_t s = 0; s < kSamples; ++s) {
+      const VF py = hn::Add(y, hn::Set(f, pattern[s].y.to_float()));
+      row_z[s] = hn::Add(g.depth.z, hn::Mul(g.depth.dz_dy, hn::Sub(py, g.depth.y_px)));
+    }
+    VI e0 = row[0], e1 = row[1], e2 = row[2];
+    step.x = g.x;
     for (int c = 0; c < g.columns; ++c) {
-      const auto covered = hn::Gt(hn::Or(hn::Or(e0, e1), e2), minus_one);
-      if (!hn::AllFalse(i, covered)) {
-        const VF px = hn::Add(hn::ConvertTo(f, x), sample_x);
-        const VF plane = hn::Add(row_z, hn::Mul(g.depth.dz_dx, hn::Sub(px, g.depth.x_px)));
-        sink(covered, x, y, hn::Min(hn::Max(plane, g.depth.nearest), g.depth.farthest));
+      VI outside[kSamples];  // negative
+      outside[0] = hn::Or(hn::Or(e0, e1), e2);
+      VI everywhere = outside[0];
+      for (std::size_t s = 1; s < kSamples; ++s) {
+        outside[s] = hn::Or(hn::Or(hn::Add(e0, first[s][0]), hn::Add(e1, first[s][1])),
+                            hn::Add(e2, first[s][2]));
+        everywhere = hn::And(everywhere, outside[s]);
+      }
+      step.covered = hn::Gt(everywhere, minus_one);
+      if (!hn::AllFalse(i, step.covered)) {
+        const VF x = hn::ConvertTo(f, step.x);
+        for (std::size_t s = 0; s < kSamples; ++s) {
+          const VF px = hn::Add(x, hn::Set(f, pattern[s].x.to_float()));
+          const VF plane = hn::Add(row_z[s], hn::Mul(g.depth.dz_dx, hn::Sub(px, g.depth.x_px)));
+          const VF z = hn::Min(hn::Max(plane, g.depth.nearest), g.depth.farthest);
+          const auto is_covered = hn::RebindMask(f, hn::Gt(outside[s], minus_one));
+          step.z[s] = kSamples == 1 ? z : hn::IfThenElse(is_covered, z, uncovered);
+        }
+        sink(step);
       }
       e0 = hn::Sub(e0, g.edge[0].dy);
       e1 = hn::Sub(e1, g.edge[1].dy);
       e2 = hn::Sub(e2, g.edge[2].dy);
-      x = hn::Add(x, one);
+      step.x = hn::Add(step.x, one);
     }
-    for (int e = 0; e < 3; ++e) row_e[e] = hn::Add(row_e[e], g.edge[e].dx);
-    y = hn::Add(y, one);
+    for (int e = 0; e < 3; ++e) row[e] = hn::Add(row[e], g.edge[e].dx);
+    step.y = hn::Add(step.y, one);
+  }
+}
+
+/// Appends the covered lanes to arrays of fragments, which have room for a whole vector.
+template <int kSamples, class Fragments>
+HWY_INLINE void append(const Step<kSamples>& step, VI pixel, VU id, Fragments& to) {
+  const F f;
+  const U u;
+  const auto n = static_cast<std::size_t>(to.size);
+  const auto covered = hn::RebindMask(u, step.covered);
+  hn::StoreU(hn::Compress(hn::BitCast(u, pixel), covered), u, to.pixel.data() + n);
+  hn::StoreU(hn::Compress(id, covered), u, to.id.data() + n);
+  for (std::size_t s = 0; s < kSamples; ++s) {
+    hn::StoreU(hn::Compress(step.z[s], hn::RebindMask(f, step.covered)), f, to.depth[s].data() + n);
+  }
+  to.size += static_cast<int>(hn::CountTrue(u, covered));
+}
+
+/// Where a worker puts fragments of pixels with that many samples.
+template <int kSamples>
+HWY_INLINE auto& lists_of(Bins& bins) {
+  if constexpr (kSamples == 1) {
+    return bins.fragments;
+  } else {
+    return bins.sampled;
+  }
+}
+template <int kSamples>
+HWY_INLINE auto& pool_of(Bins& bins) {
+  if constexpr (kSamples == 1) {
+    return bins.fragment_pool;
+  } else {
+    return bins.sampled_pool;
   }
 }
 
 /// A group whose triangles all lie in one tile: whole vectors are appended, compressed.
+template <int kSamples>
 HWY_INLINE void draw_in_tile(const Group& g, std::span<const SampleOffset> pattern,
                              const TileGrid& grid, int tile, Bins& bins) {
-  const F f;
   const I i;
-  const U u;
   const int lanes = static_cast<int>(hn::Lanes(i));
   const PixelRect rect = grid.rect(tile);
-  ChunkList<FragmentChunk>& list = bins.fragments[static_cast<std::size_t>(tile)];
-  FragmentChunk* chunk = &list.tail(bins.fragment_pool, lanes);
+  auto& list = lists_of<kSamples>(bins)[static_cast<std::size_t>(tile)];
+  auto* chunk = &list.tail(pool_of<kSamples>(bins), lanes);
   const VI stride = hn::Set(i, grid.tile_width);
-  for (std::size_t s = 0; s < pattern.size(); ++s) {
-    const int origin = static_cast<int>(s) * grid.tile_width * grid.tile_height -
-                       rect.y0 * grid.tile_width - rect.x0;
-    const VI base = hn::Set(i, origin);
-    draw_sample(g, pattern[s], [&](auto covered, VI x, VI y, VF z) HWY_ATTR {
-      if (chunk->size + lanes > FragmentChunk::kCapacity) {
-        chunk = &list.tail(bins.fragment_pool, lanes);
-      }
-      const VI place = hn::Add(hn::Add(hn::Mul(y, stride), x), base);
-      const auto n = static_cast<std::size_t>(chunk->size);
-      hn::StoreU(hn::Compress(hn::BitCast(u, place), hn::RebindMask(u, covered)), u,
-                 chunk->place.data() + n);
-      hn::StoreU(hn::Compress(z, hn::RebindMask(f, covered)), f, chunk->depth.data() + n);
-      hn::StoreU(hn::Compress(g.id, hn::RebindMask(u, covered)), u, chunk->id.data() + n);
-      chunk->size += static_cast<int>(hn::CountTrue(i, covered));
-    });
-  }
+  const VI base = hn::Set(i, -rect.y0 * grid.tile_width - rect.x0);
+  draw_group<kSamples>(g, pattern, [&](const Step<kSamples>& step) HWY_ATTR {
+    if (chunk->size + lanes > static_cast<int>(chunk->kCapacity)) {
+      chunk = &list.tail(pool_of<kSamples>(bins), lanes);
+    }
+    append(step, hn::Add(hn::Add(hn::Mul(step.y, stride), step.x), base), g.id, *chunk);
+  });
 }
 
 /// Fragments of several tiles, on their way to the bins.
+template <int kSamples>
 struct MixedFragments {
   static constexpr int kCapacity = 1024;
-  alignas(64) std::array<std::uint32_t, kCapacity> tile, place, id;
-  alignas(64) std::array<float, kCapacity> depth;
+  alignas(64) std::array<std::uint32_t, kCapacity> tile, pixel, id;
+  alignas(64) std::array<std::array<float, kCapacity>, kSamples> depth;
   int size = 0;
 };
 
-HWY_NOINLINE void sort_into_bins(MixedFragments& from, Bins& bins) {
+template <int kSamples>
+HWY_NOINLINE void sort_into_bins(MixedFragments<kSamples>& from, Bins& bins) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(from.size); ++i) {
-    FragmentChunk& chunk = bins.fragments[from.tile[i]].tail(bins.fragment_pool);
+    auto& chunk = lists_of<kSamples>(bins)[from.tile[i]].tail(pool_of<kSamples>(bins));
     const auto n = static_cast<std::size_t>(chunk.size++);
-    chunk.place[n] = from.place[i];
-    chunk.depth[n] = from.depth[i];
+    chunk.pixel[n] = from.pixel[i];
     chunk.id[n] = from.id[i];
+    for (std::size_t s = 0; s < kSamples; ++s) chunk.depth[s][n] = from.depth[s][i];
   }
   from.size = 0;
 }
 
 /// A group across several tiles.
+template <int kSamples>
 HWY_INLINE void draw_across_tiles(const Group& g, std::span<const SampleOffset> pattern,
-                                  const TileGrid& grid, MixedFragments& out, Bins& bins) {
+                                  const TileGrid& grid, MixedFragments<kSamples>& out, Bins& bins) {
   const F f;
   const I i;
   const U u;
@@ -149,24 +214,16 @@ HWY_INLINE void draw_across_tiles(const Group& g, std::span<const SampleOffset> 
     const VF centre = hn::Add(hn::ConvertTo(f, pixel), hn::Set(f, 0.5f));
     return hn::ConvertTo(i, hn::Mul(centre, per));
   };
-  for (std::size_t s = 0; s < pattern.size(); ++s) {
-    const VI plane = hn::Set(i, static_cast<int>(s) * grid.tile_width * grid.tile_height);
-    draw_sample(g, pattern[s], [&](auto covered, VI x, VI y, VF z) HWY_ATTR {
-      const VI column = divide(x, per_column), row = divide(y, per_row);
-      const VI tile = hn::Add(hn::Mul(row, columns), column);
-      const VI in_x = hn::Sub(x, hn::Mul(column, tile_width));
-      const VI in_y = hn::Sub(y, hn::Mul(row, tile_height));
-      const VI place = hn::Add(hn::Add(hn::Mul(in_y, tile_width), in_x), plane);
-      const auto n = static_cast<std::size_t>(out.size);
-      const auto lanes_covered = hn::RebindMask(u, covered);
-      hn::StoreU(hn::Compress(hn::BitCast(u, tile), lanes_covered), u, out.tile.data() + n);
-      hn::StoreU(hn::Compress(hn::BitCast(u, place), lanes_covered), u, out.place.data() + n);
-      hn::StoreU(hn::Compress(g.id, lanes_covered), u, out.id.data() + n);
-      hn::StoreU(hn::Compress(z, hn::RebindMask(f, covered)), f, out.depth.data() + n);
-      out.size += static_cast<int>(hn::CountTrue(i, covered));
-      if (out.size + lanes > MixedFragments::kCapacity) sort_into_bins(out, bins);
-    });
-  }
+  draw_group<kSamples>(g, pattern, [&](const Step<kSamples>& step) HWY_ATTR {
+    const VI column = divide(step.x, per_column), row = divide(step.y, per_row);
+    const VI tile = hn::Add(hn::Mul(row, columns), column);
+    const VI in_x = hn::Sub(step.x, hn::Mul(column, tile_width));
+    const VI in_y = hn::Sub(step.y, hn::Mul(row, tile_height));
+    hn::StoreU(hn::Compress(hn::BitCast(u, tile), hn::RebindMask(u, step.covered)), u,
+               out.tile.data() + out.size);
+    append(step, hn::Add(hn::Mul(in_y, tile_width), in_x), g.id, out);
+    if (out.size + lanes > out.kCapacity) sort_into_bins(out, bins);
+  });
 }
 
 /// The tile that holds all boxes of the group, or -1.
@@ -181,9 +238,10 @@ HWY_INLINE int common_tile(const Group& g, const TileGrid& grid) {
   return one ? row * grid.columns + column : -1;
 }
 
-void DrawSmallTriangles(CulledTriangles::Snapped& t, std::uint32_t first_id,
-                        std::span<const SampleOffset> pattern, const SampleLimits& limits,
-                        const TileGrid& grid, Bins& bins) {
+template <int kSamples>
+HWY_INLINE void draw_all(CulledTriangles::Snapped& t, std::uint32_t first_id,
+                         std::span<const SampleOffset> pattern, const SampleLimits& limits,
+                         const TileGrid& grid, Bins& bins) {
   const I i;
   const auto lanes = static_cast<std::size_t>(hn::Lanes(i));
   const auto size = static_cast<std::size_t>(t.size);
@@ -198,18 +256,31 @@ void DrawSmallTriangles(CulledTriangles::Snapped& t, std::uint32_t first_id,
     }
     t.triangle[k] = 0;
   }
-  MixedFragments mixed;
+  MixedFragments<kSamples> mixed;
   for (std::size_t k = 0; k < size; k += lanes) {
     const Group g = set_up(t, k, first_id, limits);
     if (g.columns <= 0 || g.rows <= 0) continue;
     const int tile = common_tile(g, grid);
     if (tile >= 0) {
-      draw_in_tile(g, pattern, grid, tile, bins);
+      draw_in_tile<kSamples>(g, pattern, grid, tile, bins);
     } else {
-      draw_across_tiles(g, pattern, grid, mixed, bins);
+      draw_across_tiles<kSamples>(g, pattern, grid, mixed, bins);
     }
   }
   sort_into_bins(mixed, bins);
+}
+
+void DrawSmallTriangles(CulledTriangles::Snapped& t, std::uint32_t first_id,
+                        std::span<const SampleOffset> pattern, const SampleLimits& limits,
+                        const TileGrid& grid, Bins& bins) {
+  switch (pattern.size()) {
+    case 1:
+      return draw_all<1>(t, first_id, pattern, limits, grid, bins);
+    case 4:
+      return draw_all<4>(t, first_id, pattern, limits, grid, bins);
+    default:
+      return draw_all<8>(t, first_id, pattern, limits, grid, bins);
+  }
 }
 
 }  // namespace kinescope::HWY_NAMESPACE

@@ -9,13 +9,11 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/sample_lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using F = hn::CappedTag<float, 8>;
-using I = hn::RebindToSigned<F>;
-using U = hn::RebindToUnsigned<F>;
 
 /// Columns [lo, hi) of each row of a rectangle, both counted from its left side.
 struct RowEnds {
@@ -77,7 +75,8 @@ HWY_INLINE void narrow(const RectEdge& edge, int width, int height, RowEnds& end
 
 enum class Cover { kNone, kPart, kAll };
 
-/// Sets the rows' ends for one sample; says how much of the rectangle is covered.
+/// Sets the rows' ends for one sample; says how much of the rectangle is covered. Where nothing is,
+/// the ends stay as they were.
 HWY_INLINE Cover find_ends(const TriangleRecord& t, const PixelRect& rect, SampleOffset sample,
                            RowEnds& ends) {
   const I i;
@@ -113,32 +112,66 @@ HWY_INLINE Cover find_ends(const TriangleRecord& t, const PixelRect& rect, Sampl
   return crossings == 0 ? Cover::kAll : Cover::kPart;
 }
 
-/// Depth-tests and writes one span: columns [x0, x1) of the screen.
-HWY_INLINE void draw_span(const TriangleRecord& t, float row_z, float anchor_x, float sample_x,
-                          int x0, int x1, float* depth, std::uint32_t* id, int tile_x) {
+/// The ends of one row, in the lanes' own samples.
+struct LaneEnds {
+  alignas(64) std::array<std::int32_t, 8> lo, hi;  // columns of the screen
+  int least, most;                                 // of all lanes
+};
+
+template <class Lanes>
+HWY_INLINE LaneEnds lane_ends(const std::array<RowEnds, Lanes::kSamples>& ends, std::size_t row,
+                              int part, int x0) {
+  LaneEnds out;
+  out.least = TileGrid::kMaxTile;
+  out.most = 0;
+  constexpr int kUsed = std::min(Lanes::kSamples, Lanes::kLanes);
+  for (int lane = 0; lane < Lanes::kLanes; ++lane) {
+    const auto at = static_cast<std::size_t>(lane);
+    const RowEnds& of = ends[static_cast<std::size_t>(part * kUsed + lane % kUsed)];
+    out.lo[at] = x0 + of.lo[row];
+    out.hi[at] = x0 + of.hi[row];
+    if (lane >= kUsed || of.lo[row] >= of.hi[row]) continue;
+    out.least = std::min(out.least, of.lo[row]);
+    out.most = std::max(out.most, of.hi[row]);
+  }
+  out.least += x0;
+  out.most += x0;
+  return out;
+}
+
+/// Depth-tests and writes one row of a record.
+template <class Lanes>
+HWY_INLINE void draw_row(const TriangleRecord& t, const LaneEnds& ends, const Lanes& lanes, int y,
+                         TileBuffer& tile) {
   const F f;
   const I i;
   const U u;
-  const int lanes = static_cast<int>(hn::Lanes(f));
-  const auto nearest = hn::Set(f, t.nearest), farthest = hn::Set(f, t.farthest);
-  const auto slope = hn::Set(f, t.dz_dx), row = hn::Set(f, row_z), anchor = hn::Set(f, anchor_x);
-  const auto ids = hn::Set(u, t.id);
-  const auto first = hn::Set(i, x0 - 1), end = hn::Set(i, x1);
-  for (int x = x0 & -lanes; x < x1; x += lanes) {
-    const auto column = hn::Iota(i, x);
-    const auto centre = hn::Add(hn::ConvertTo(f, column), hn::Set(f, sample_x));
-    const auto plane = hn::Add(row, hn::Mul(slope, hn::Sub(centre, anchor)));
-    const auto z = hn::Min(hn::Max(plane, nearest), farthest);
-    float* const old_z_at = depth + (x - tile_x);
-    std::uint32_t* const old_id_at = id + (x - tile_x);
-    const auto old_z = hn::Load(f, old_z_at);
-    const auto old_id = hn::Load(u, old_id_at);
-    const auto inside = hn::And(hn::Gt(column, first), hn::Lt(column, end));
+  const VF nearest = hn::Set(f, t.nearest), farthest = hn::Set(f, t.farthest);
+  const VF anchor_x = hn::Set(f, Fixed24_8::from_raw(t.x[0]).to_float());
+  const VF anchor_y = hn::Set(f, Fixed24_8::from_raw(t.y[0]).to_float());
+  const VF slope = hn::Set(f, t.dz_dx);
+  const VF py = hn::Add(hn::Set(f, static_cast<float>(y)), lanes.y_px);
+  const VF row = hn::Add(hn::Set(f, t.z), hn::Mul(hn::Set(f, t.dz_dy), hn::Sub(py, anchor_y)));
+  const VU ids = hn::Set(u, t.id);
+  const VI before = hn::Sub(hn::Load(i, ends.lo.data()), hn::Set(i, 1));
+  const VI end = hn::Load(i, ends.hi.data());
+  const int first = ends.least & -Lanes::kPixels;
+  float* depth = tile.depth.data() + lanes.place(tile, first, y);
+  std::uint32_t* id = tile.id.data() + lanes.place(tile, first, y);
+  constexpr int kStep = Lanes::kPixels * Lanes::kSamples;
+  for (int x = first; x < ends.most; x += Lanes::kPixels, depth += kStep, id += kStep) {
+    const VI column = hn::Add(hn::Set(i, x), lanes.column);
+    const VF px = hn::Add(hn::ConvertTo(f, column), lanes.x_px);
+    const VF plane = hn::Add(row, hn::Mul(slope, hn::Sub(px, anchor_x)));
+    const VF z = hn::Min(hn::Max(plane, nearest), farthest);
+    const VF old_z = hn::Load(f, depth);
+    const VU old_id = hn::Load(u, id);
+    const auto inside = hn::And(hn::Gt(column, before), hn::Lt(column, end));
     const auto earlier = hn::RebindMask(f, hn::Lt(ids, old_id));
     const auto wins = hn::And(hn::RebindMask(f, inside),
                               hn::Or(hn::Lt(z, old_z), hn::And(hn::Eq(z, old_z), earlier)));
-    hn::Store(hn::IfThenElse(wins, z, old_z), f, old_z_at);
-    hn::Store(hn::IfThenElse(hn::RebindMask(u, wins), ids, old_id), u, old_id_at);
+    hn::Store(hn::IfThenElse(wins, z, old_z), f, depth);
+    hn::Store(hn::IfThenElse(hn::RebindMask(u, wins), ids, old_id), u, id);
   }
 }
 
@@ -164,34 +197,56 @@ HWY_INLINE DepthRange depth_range(const TriangleRecord& t, const PixelRect& rect
   return {plane.at(left, top), plane.at(right, bottom)};
 }
 
-void DrawRecords(std::span<const TriangleRecord* const> records,
-                 std::span<const SampleOffset> pattern, TileBuffer& tile) {
-  RowEnds ends;
+/// The ends of each sample's rows. Cover of all samples together.
+template <std::size_t kSamples>
+HWY_INLINE Cover find_all_ends(const TriangleRecord& t, const PixelRect& rect,
+                               std::span<const SampleOffset> pattern,
+                               std::array<RowEnds, kSamples>& ends) {
+  std::size_t none = 0, all = 0;
+  for (std::size_t s = 0; s < kSamples; ++s) {
+    const Cover cover = find_ends(t, rect, pattern[s], ends[s]);
+    if (cover == Cover::kNone && kSamples > 1) ends[s].hi = ends[s].lo = {};
+    none += cover == Cover::kNone ? 1 : 0;
+    all += cover == Cover::kAll ? 1 : 0;
+  }
+  return none == kSamples ? Cover::kNone : all == kSamples ? Cover::kAll : Cover::kPart;
+}
+
+template <int kSamples>
+HWY_INLINE void draw_all(std::span<const TriangleRecord* const> records,
+                         std::span<const SampleOffset> pattern, TileBuffer& tile) {
+  using Lanes = SampleLanes<kSamples>;
+  std::array<RowEnds, kSamples> ends;
   for (const TriangleRecord* const record : records) {
     const TriangleRecord& t = *record;
     const PixelRect rect = {std::max<int>(t.x0, tile.rect.x0), std::max<int>(t.y0, tile.rect.y0),
                             std::min<int>(t.x1, tile.rect.x1), std::min<int>(t.y1, tile.rect.y1)};
     const DepthRange range = depth_range(t, rect);
     if (range.nearest > tile.farthest) continue;
-    bool covers_tile = rect == tile.rect;
-    const float anchor_x = Fixed24_8::from_raw(t.x[0]).to_float();
-    const float anchor_y = Fixed24_8::from_raw(t.y[0]).to_float();
-    for (std::size_t s = 0; s < pattern.size(); ++s) {
-      const Cover cover = find_ends(t, rect, pattern[s], ends);
-      covers_tile = covers_tile && cover == Cover::kAll;
-      if (cover == Cover::kNone) continue;
-      const float sample_x = pattern[s].x.to_float(), sample_y = pattern[s].y.to_float();
+    const Cover cover = find_all_ends(t, rect, pattern, ends);
+    if (cover == Cover::kNone) continue;
+    for (int part = 0; part < Lanes::kParts; ++part) {
+      const Lanes lanes(pattern, part);
       for (int y = rect.y0; y < rect.y1; ++y) {
-        const auto r = static_cast<std::size_t>(y - rect.y0);
-        if (ends.lo[r] >= ends.hi[r]) continue;
-        const float row_z = t.z + t.dz_dy * (static_cast<float>(y) + sample_y - anchor_y);
-        const auto at = s * static_cast<std::size_t>(tile.plane) +
-                        static_cast<std::size_t>((y - tile.rect.y0) * tile.stride);
-        draw_span(t, row_z, anchor_x, sample_x, rect.x0 + ends.lo[r], rect.x0 + ends.hi[r],
-                  tile.depth.data() + at, tile.id.data() + at, tile.rect.x0);
+        const auto row = static_cast<std::size_t>(y - rect.y0);
+        draw_row(t, lane_ends<Lanes>(ends, row, part, rect.x0), lanes, y, tile);
       }
     }
-    if (covers_tile) tile.farthest = std::min(tile.farthest, range.farthest);
+    if (cover == Cover::kAll && rect == tile.rect) {
+      tile.farthest = std::min(tile.farthest, range.farthest);
+    }
+  }
+}
+
+void DrawRecords(std::span<const TriangleRecord* const> records,
+                 std::span<const SampleOffset> pattern, TileBuffer& tile) {
+  switch (pattern.size()) {
+    case 1:
+      return draw_all<1>(records, pattern, tile);
+    case 4:
+      return draw_all<4>(records, pattern, tile);
+    default:
+      return draw_all<8>(records, pattern, tile);
   }
 }
 
