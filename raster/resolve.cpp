@@ -47,7 +47,7 @@ std::span<const LinearRgba> row_of_pixels(const TileBuffer& tile, const VisibleF
                                           const LinearRgba& clear, AlignedVector<LinearRgba>& row) {
   const int width = tile.rect.x1 - tile.rect.x0;
   const int first = fragments.row_first[r], end = fragments.row_first[r + 1];
-  if (tile.samples == 1 && end - first == width) {
+  if (fragments.row_is_whole[r]) {
     return colours.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(width));
   }
   row.assign(static_cast<std::size_t>(width), clear);

@@ -17,6 +17,8 @@ struct VisibleFragments {
   AlignedVector<std::uint8_t> weight;  ///< samples it covers in its pixel; unset at one sample
   /// The first fragment of each row of the tile, and one entry more.
   std::array<int, TileGrid::kMaxTile + 1> row_first{};
+  /// Whether each pixel of a row shows one triangle at all of its samples.
+  std::array<bool, TileGrid::kMaxTile> row_is_whole{};
 
   void reserve(int count);
 };

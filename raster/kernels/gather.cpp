@@ -31,6 +31,59 @@ HWY_INLINE void gather_pixel(const std::uint32_t* ids, std::uint32_t xy, Visible
   out.size = static_cast<int>(n);
 }
 
+#if HWY_TARGET != HWY_SCALAR  // has no vectors of four
+/// Pixels [x, x + lanes) of four samples each: as gather_pixel, a vector of samples at a time.
+HWY_INLINE void gather_fours(const std::uint32_t* ids, std::size_t within, std::uint32_t xy,
+                             VisibleFragments& out) {
+  const U u;
+  const hn::RebindToSigned<U> i;
+  const hn::Rebind<std::uint8_t, U> u8;
+  const std::size_t lanes = hn::Lanes(u), pixels = lanes / 4;
+  const auto sample = hn::And(hn::Iota(u, 0), hn::Set(u, 3));
+  const auto pixel = hn::ShiftRight<2>(hn::Iota(u, 0));
+  const auto one = hn::Set(u, 1), zero = hn::Zero(u);
+  const auto later = [&](std::uint32_t first)
+                         HWY_ATTR { return hn::Gt(sample, hn::Set(u, first - 1)); };
+  auto n = static_cast<std::size_t>(out.size);
+  for (std::size_t k = 0; k < within; k += pixels) {
+    const auto id = hn::Load(u, ids + 4 * k);
+    // The samples one, two and three further, counted round in their pixel.
+    const auto same1 = hn::Eq(id, hn::Shuffle0321(id));
+    const auto same2 = hn::Eq(id, hn::Shuffle1032(id));
+    const auto same3 = hn::Eq(id, hn::Shuffle2103(id));
+    const auto seen = hn::Or(hn::And(same3, later(1)),
+                             hn::Or(hn::And(same2, later(2)), hn::And(same1, later(3))));
+    const auto hidden = hn::Or(seen, hn::Eq(id, hn::Set(u, TileBuffer::kNothing)));
+    const auto shown = hn::AndNot(hidden, hn::FirstN(u, 4 * (within - k)));
+    const auto weight =
+        hn::Add(hn::Add(one, hn::IfThenElse(same1, one, zero)),
+                hn::Add(hn::IfThenElse(same2, one, zero), hn::IfThenElse(same3, one, zero)));
+    const auto place = hn::Add(pixel, hn::Set(u, xy + static_cast<std::uint32_t>(k)));
+    hn::StoreU(hn::Compress(id, shown), u, out.id.data() + n);
+    hn::StoreU(hn::Compress(place, shown), u, out.xy.data() + n);
+    hn::StoreU(hn::DemoteTo(u8, hn::BitCast(i, hn::Compress(weight, shown))), u8,
+               out.weight.data() + n);
+    n += hn::CountTrue(u, shown);
+  }
+  out.size = static_cast<int>(n);
+}
+#endif
+
+/// Pixels [0, count) of a row, whose samples may disagree.
+template <int kSamples>
+HWY_INLINE void gather_pixels(const std::uint32_t* ids, int count, std::uint32_t xy,
+                              VisibleFragments& out) {
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (kSamples == 4) {
+    gather_fours(ids, static_cast<std::size_t>(count), xy, out);
+    return;
+  }
+#endif
+  for (int k = 0; k < count; ++k) {
+    gather_pixel<kSamples>(ids + k * kSamples, xy + static_cast<std::uint32_t>(k), out);
+  }
+}
+
 /// Several pixels, each of which shows one triangle or nothing at all of its samples.
 HWY_INLINE void append(hn::Vec<U> id, hn::Mask<U> within, std::uint32_t xy, int samples,
                        VisibleFragments& out) {
@@ -80,6 +133,7 @@ HWY_INLINE void gather_all(const TileBuffer& tile, VisibleFragments& out) {
     const std::uint32_t* const row = tile.id.data() + r * tile.stride * kSamples;
     const std::uint32_t xy = static_cast<std::uint32_t>(tile.rect.y0 + r) << 16 |
                              static_cast<std::uint32_t>(tile.rect.x0);
+    bool whole = true;
     for (int x = 0; x < width; x += lanes) {
       const auto within = hn::FirstN(u, static_cast<std::size_t>(width - x));
       bool agree = true;
@@ -88,10 +142,12 @@ HWY_INLINE void gather_all(const TileBuffer& tile, VisibleFragments& out) {
         append(id, within, xy + static_cast<std::uint32_t>(x), kSamples, out);
         continue;
       }
-      for (int k = x; k < std::min(x + lanes, width); ++k) {
-        gather_pixel<kSamples>(row + k * kSamples, xy + static_cast<std::uint32_t>(k), out);
-      }
+      whole = false;
+      gather_pixels<kSamples>(row + x * kSamples, std::min(lanes, width - x),
+                              xy + static_cast<std::uint32_t>(x), out);
     }
+    const auto at = static_cast<std::size_t>(r);
+    out.row_is_whole[at] = whole && out.size - out.row_first[at] == width;
   }
   out.row_first[static_cast<std::size_t>(height)] = out.size;
 }
