@@ -1,6 +1,7 @@
 #include "raster/resolve.h"
 
 #include <algorithm>
+#include <array>
 #include <variant>
 
 #include "raster/colour/encode.h"
@@ -15,29 +16,8 @@ void write_row(std::span<const LinearRgba> in, std::span<LinearRgba> out) {
   std::copy(in.begin(), in.end(), out.begin());
 }
 
-void add(const LinearRgba& c, int weight, LinearRgba& sum) {
-  const auto w = static_cast<float>(weight);
-  sum.r += c.r * w;
-  sum.g += c.g * w;
-  sum.b += c.b * w;
-  sum.a += c.a * w;
-}
-
-/// The mean of a pixel's samples: fragments from `i` on, and the clear colour where none is.
-/// Leaves `i` at the next pixel.
-LinearRgba mean(const VisibleFragments& fragments, std::span<const LinearRgba> colours, int end,
-                int samples, const LinearRgba& clear, int& i) {
-  LinearRgba sum{0, 0, 0, 0};
-  int covered = 0;
-  const std::uint32_t xy = fragments.xy[static_cast<std::size_t>(i)];
-  for (; i < end && fragments.xy[static_cast<std::size_t>(i)] == xy; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    add(colours[at], fragments.weight[at], sum);
-    covered += fragments.weight[at];
-  }
-  if (covered < samples) add(clear, samples - covered, sum);
-  const float share = 1.0f / static_cast<float>(samples);
-  return {sum.r * share, sum.g * share, sum.b * share, sum.a * share};
+LinearRgba sum(const LinearRgba& a, const LinearRgba& b, float weight) {
+  return {a.r + b.r * weight, a.g + b.g * weight, a.b + b.b * weight, a.a + b.a * weight};
 }
 
 /// One row of a tile in linear light: of the fragments' own colours if each pixel has one, else
@@ -50,16 +30,28 @@ std::span<const LinearRgba> row_of_pixels(const TileBuffer& tile, const VisibleF
   if (fragments.row_is_whole[r]) {
     return colours.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(width));
   }
-  row.assign(static_cast<std::size_t>(width), clear);
-  for (int i = first; i < end;) {
-    const auto at = static_cast<std::size_t>(i);
-    const std::uint32_t x = (fragments.xy[at] & 0xffff) - static_cast<std::uint32_t>(tile.rect.x0);
-    if (tile.samples == 1 || fragments.weight[at] == tile.samples) {
-      row[x] = colours[at];
-      ++i;
-    } else {
-      row[x] = mean(fragments, colours, end, tile.samples, clear, i);
+  const auto x0 = static_cast<std::uint32_t>(tile.rect.x0);
+  if (tile.samples == 1) {
+    row.assign(static_cast<std::size_t>(width), clear);
+    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i) {
+      row[(fragments.xy[i] & 0xffff) - x0] = colours[i];
     }
+    return row;
+  }
+  // The mean of each pixel's samples: its fragments in their order, then the clear colour where
+  // none is. No branch asks how many a pixel has, since nobody can predict it.
+  row.assign(static_cast<std::size_t>(width), {0, 0, 0, 0});
+  std::array<int, TileGrid::kMaxTile> empty;
+  empty.fill(tile.samples);
+  for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i) {
+    const std::size_t x = (fragments.xy[i] & 0xffff) - x0;
+    empty[x] -= fragments.weight[i];
+    row[x] = sum(row[x], colours[i], static_cast<float>(fragments.weight[i]));
+  }
+  const float share = 1.0f / static_cast<float>(tile.samples);
+  for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
+    const LinearRgba all = sum(row[x], clear, static_cast<float>(empty[x]));
+    row[x] = {all.r * share, all.g * share, all.b * share, all.a * share};
   }
   return row;
 }

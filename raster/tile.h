@@ -21,16 +21,8 @@ struct TileBuffer {
   AlignedVector<float> depth;       ///< 1 where nothing is visible
   AlignedVector<std::uint32_t> id;  ///< kNothing there
 
-  void begin(const TileGrid& grid, int tile, int sample_count) {
-    rect = grid.rect(tile);
-    stride = grid.tile_width;
-    pixels = grid.tile_width * grid.tile_height;
-    samples = sample_count;
-    farthest = 1;
-    const auto total = static_cast<std::size_t>(pixels) * static_cast<std::size_t>(samples);
-    depth.assign(total, 1.0f);
-    id.assign(total, kNothing);
-  }
+  /// Empties the buffer for a tile.
+  void begin(const TileGrid& grid, int tile, int sample_count);
 };
 
 /// Depth-tests finished fragments of pixels with one sample.
