@@ -90,11 +90,12 @@ HWY_INLINE void append(hn::Vec<U> id, hn::Mask<U> within, std::uint32_t xy, int 
   const U u;
   const auto n = static_cast<std::size_t>(out.size);
   const auto shown = hn::And(within, hn::Ne(id, hn::Set(u, TileBuffer::kNothing)));
+  if (hn::AllFalse(u, shown)) return;
   hn::StoreU(hn::Compress(id, shown), u, out.id.data() + n);
   hn::StoreU(hn::Compress(hn::Iota(u, xy), shown), u, out.xy.data() + n);
-  const std::size_t count = hn::CountTrue(u, shown);
-  if (samples > 1) std::fill_n(out.weight.data() + n, count, static_cast<std::uint8_t>(samples));
-  out.size += static_cast<int>(count);
+  const hn::Rebind<std::uint8_t, U> u8;
+  hn::StoreU(hn::Set(u8, static_cast<std::uint8_t>(samples)), u8, out.weight.data() + n);
+  out.size += static_cast<int>(hn::CountTrue(u, shown));
 }
 
 /// The first sample's triangles of several pixels, and whether all samples of each agree.
