@@ -363,6 +363,8 @@ TEST_F(ProgramRender, WithoutADisplayOrANamePicturesGoToOut) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/model.png"));
 }
 
+// A sanitizer would count its own memory, and take minutes over a quarter of a billion pixels.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST_F(ProgramRender, GreatestPictureWithinBoundedMemory) {
   const RunResult result = run_kinescope({"render", "model.obj", "--display", "none", "--size",
                                           "16384x16384", "--aa", "1", "--json", "--headless"},
@@ -374,6 +376,7 @@ TEST_F(ProgramRender, GreatestPictureWithinBoundedMemory) {
     EXPECT_THAT(result.err, HasSubstr("16384x16384"));
   }
 }
+#endif
 
 TEST(ProgramDemo, AloneWithoutADisplayWritesTheTeapot) {
   TemporaryFolder folder;

@@ -19,10 +19,6 @@
 
 #include "raster/base/error.h"
 
-/// SDL asks for the desktop's message bus, whose library keeps what it allocates.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libdbus-1.so"; }
-
 namespace kinescope {
 namespace {
 
