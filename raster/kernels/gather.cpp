@@ -26,7 +26,7 @@ HWY_INLINE void gather_pixel(const std::uint32_t* ids, std::uint32_t xy, Visible
     out.id[n] = ids[s];
     out.xy[n] = xy;
     out.weight[n] = static_cast<std::uint8_t>(after);
-    n += (before == 0) & (ids[s] != TileBuffer::kNothing) ? 1 : 0;
+    n += ((before == 0) & (ids[s] != TileBuffer::kNothing)) ? 1 : 0;
   }
   out.size = static_cast<int>(n);
 }
