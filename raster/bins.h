@@ -18,6 +18,7 @@ struct TriangleRecord {
   float z, dz_dx, dz_dy;             ///< DepthPlane; its anchor is `anchor_x`, `anchor_y`
   float nearest, farthest;
   std::int16_t x0, y0, x1, y1;  ///< box in pixels, half open, within the target
+  bool clipped = false;         ///< the box cuts the triangle: samples outside it are not covered
 };
 static_assert(sizeof(TriangleRecord) <= 64);
 

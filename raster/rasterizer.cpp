@@ -10,10 +10,10 @@
 #include "raster/fragment_batches.h"
 #include "raster/kernels/cull.h"
 #include "raster/kernels/gather.h"
+#include "raster/kernels/large_triangles.h"
 #include "raster/kernels/medium_triangles.h"
 #include "raster/kernels/merge_samples.h"
 #include "raster/kernels/small_triangles.h"
-#include "raster/kernels/spans.h"
 #include "raster/resolve.h"
 #include "raster/tile.h"
 #include "raster/visibility_hash.h"
@@ -30,7 +30,6 @@ struct alignas(64) WorkerState {
   std::vector<const TriangleRecord*> records;  ///< of the tile
   VisibleFragments visible;
   FragmentShader shader;
-  AlignedVector<LinearRgba> row;
   RasterStats stats;
 };
 
@@ -127,17 +126,27 @@ void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash
   }
   std::sort(state.records.begin(), state.records.end(),
             [](const auto* a, const auto* b) { return a->nearest < b->nearest; });
-  draw_records(state.records, pattern, state.tile);
+  draw_large_triangles(state.records, pattern, state.tile);
+  bool fragments = false;
   for (const WorkerState& from : states) {
     draw_medium_triangles(from.bins.medium[at], pattern, state.tile);
+    fragments |= from.bins.fragments[at].first != nullptr || from.bins.sampled[at].first != nullptr;
+  }
+  if (fragments || want_hash || target.keep_depth) store_all_blocks(pattern, state.tile);
+  for (const WorkerState& from : states) {
     merge_fragments(from.bins.fragments[at], state.tile);
     merge_samples(from.bins.sampled[at], state.tile);
   }
   if (want_hash) state.stats.visibility_hash += tile_hash(state.tile, target.width);
-  gather_visible(state.tile, state.visible);
-  const auto colours = state.shader.shade(calls, state.visible, target.clear);
-  resolve_tile(state.tile, state.visible, colours, state.row, target);
-  state.stats.fragments += static_cast<std::uint64_t>(state.visible.size);
+  if (target.keep_depth) keep_depth(state.tile, target.depth);
+  // A few blocks at a time, so that fragments and colours stay in a first-level cache.
+  for (int block = 0; block < state.tile.block_columns * state.tile.block_rows;) {
+    gather_visible(state.tile, block, state.visible);
+    const auto colours = state.shader.shade(calls, state.visible, target.clear);
+    resolve_blocks(state.tile, state.visible, colours, target);
+    state.stats.fragments += static_cast<std::uint64_t>(state.visible.size);
+    block = state.visible.end_block;
+  }
 }
 
 Rasterizer::Rasterizer(Workers& workers, RasterizerOptions options)

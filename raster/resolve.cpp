@@ -10,9 +10,12 @@
 namespace kinescope {
 namespace {
 
-void write_row(std::span<const LinearRgba> in, std::span<Srgb8> out) { encode_row(in, out); }
-void write_row(std::span<const LinearRgba> in, std::span<Linear8> out) { quantize_row(in, out); }
-void write_row(std::span<const LinearRgba> in, std::span<LinearRgba> out) {
+constexpr int kSide = TileBuffer::kBlock;
+constexpr std::size_t kPixels = kSide * kSide;
+
+void encode(std::span<const LinearRgba> in, std::span<Srgb8> out) { encode_row(in, out); }
+void encode(std::span<const LinearRgba> in, std::span<Linear8> out) { quantize_row(in, out); }
+void encode(std::span<const LinearRgba> in, std::span<LinearRgba> out) {
   std::copy(in.begin(), in.end(), out.begin());
 }
 
@@ -20,61 +23,92 @@ LinearRgba sum(const LinearRgba& a, const LinearRgba& b, float weight) {
   return {a.r + b.r * weight, a.g + b.g * weight, a.b + b.b * weight, a.a + b.a * weight};
 }
 
-/// One row of a tile in linear light: of the fragments' own colours if each pixel has one, else
-/// put together in `row`.
-std::span<const LinearRgba> row_of_pixels(const TileBuffer& tile, const VisibleFragments& fragments,
-                                          std::span<const LinearRgba> colours, std::size_t r,
-                                          const LinearRgba& clear, AlignedVector<LinearRgba>& row) {
-  const int width = tile.rect.x1 - tile.rect.x0;
-  const int first = fragments.row_first[r], end = fragments.row_first[r + 1];
-  if (fragments.row_is_whole[r]) {
-    return colours.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(width));
+/// Fragments [first, end) of a block, put together to its 64 pixels: where there are several
+/// samples, the mean of each pixel's. No branch asks how many fragments a pixel has, since nobody
+/// can predict it.
+void put_together(const VisibleFragments& fragments, std::span<const LinearRgba> colours, int first,
+                  int end, int samples, const LinearRgba& clear,
+                  std::array<LinearRgba, kPixels>& out) {
+  const auto pixel = [&](std::size_t i) -> std::size_t {
+    const std::uint32_t xy = fragments.xy[i];
+    return (xy >> 16) % kSide * kSide + xy % kSide;
+  };
+  const auto last = static_cast<std::size_t>(end);
+  if (samples == 1) {
+    out.fill(clear);
+    for (auto i = static_cast<std::size_t>(first); i < last; ++i) out[pixel(i)] = colours[i];
+    return;
   }
-  const auto x0 = static_cast<std::uint32_t>(tile.rect.x0);
-  if (tile.samples == 1) {
-    row.assign(static_cast<std::size_t>(width), clear);
-    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i) {
-      row[(fragments.xy[i] & 0xffff) - x0] = colours[i];
+  out.fill({0, 0, 0, 0});
+  std::array<int, kPixels> empty;
+  empty.fill(samples);
+  for (auto i = static_cast<std::size_t>(first); i < last; ++i) {
+    const std::size_t at = pixel(i);
+    empty[at] -= fragments.weight[i];
+    out[at] = sum(out[at], colours[i], static_cast<float>(fragments.weight[i]));
+  }
+  // Then the clear colour where no fragment is.
+  const float share = 1.0f / static_cast<float>(samples);
+  for (std::size_t at = 0; at < kPixels; ++at) {
+    const LinearRgba all = sum(out[at], clear, static_cast<float>(empty[at]));
+    out[at] = {all.r * share, all.g * share, all.b * share, all.a * share};
+  }
+}
+
+template <class Pixel>
+void write_block(const std::array<Pixel, kPixels>& codes, const PixelRect& rect,
+                 Image<Pixel>& image) {
+  const Pixel* from = codes.data();
+  const bool whole = rect.x1 - rect.x0 == kSide;
+  for (int y = rect.y0; y < rect.y1; ++y, from += kSide) {
+    Pixel* const to = image.row(y) + rect.x0;
+    if (whole) {
+      std::copy_n(from, kSide, to);  // of a length that the compiler knows
+    } else {
+      std::copy_n(from, rect.x1 - rect.x0, to);
     }
-    return row;
   }
-  // The mean of each pixel's samples: its fragments in their order, then the clear colour where
-  // none is. No branch asks how many a pixel has, since nobody can predict it.
-  row.assign(static_cast<std::size_t>(width), {0, 0, 0, 0});
-  std::array<int, TileGrid::kMaxTile> empty;
-  empty.fill(tile.samples);
-  for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i) {
-    const std::size_t x = (fragments.xy[i] & 0xffff) - x0;
-    empty[x] -= fragments.weight[i];
-    row[x] = sum(row[x], colours[i], static_cast<float>(fragments.weight[i]));
+}
+
+template <class Pixel>
+void write_blocks(const TileBuffer& tile, const VisibleFragments& fragments,
+                  std::span<const LinearRgba> colours, const LinearRgba& clear,
+                  Image<Pixel>& image) {
+  Pixel clear_code{};
+  encode({&clear, 1}, {&clear_code, 1});
+  alignas(64) std::array<LinearRgba, kPixels> linear;
+  alignas(64) std::array<Pixel, kPixels> codes;
+  for (int block = fragments.first_block; block < fragments.end_block; ++block) {
+    const PixelRect rect = tile.block_rect(block);
+    if (rect.empty()) continue;
+    const auto at = static_cast<std::size_t>(block - fragments.first_block);
+    const int first = fragments.block_first[at], end = fragments.block_first[at + 1];
+    if (first == end) {
+      codes.fill(clear_code);
+    } else if (fragments.block_is_whole[at]) {
+      encode(colours.subspan(static_cast<std::size_t>(first), kPixels), codes);
+    } else {
+      put_together(fragments, colours, first, end, tile.samples, clear, linear);
+      encode(linear, codes);
+    }
+    write_block(codes, rect, image);
   }
-  const float share = 1.0f / static_cast<float>(tile.samples);
-  for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
-    const LinearRgba all = sum(row[x], clear, static_cast<float>(empty[x]));
-    row[x] = {all.r * share, all.g * share, all.b * share, all.a * share};
-  }
-  return row;
 }
 
 }  // namespace
 
-void resolve_tile(const TileBuffer& tile, const VisibleFragments& fragments,
-                  std::span<const LinearRgba> colours, AlignedVector<LinearRgba>& row,
-                  RenderTarget& target) {
+void resolve_blocks(const TileBuffer& tile, const VisibleFragments& fragments,
+                    std::span<const LinearRgba> colours, RenderTarget& target) {
+  std::visit([&](auto& image) { write_blocks(tile, fragments, colours, target.clear, image); },
+             target.colour);
+}
+
+void keep_depth(const TileBuffer& tile, Image<float>& depth) {
   const int width = tile.rect.x1 - tile.rect.x0;
-  const auto write_tile = [&](auto& image) {
-    for (int y = tile.rect.y0; y < tile.rect.y1; ++y) {
-      const auto r = static_cast<std::size_t>(y - tile.rect.y0);
-      const std::span out(image.row(y) + tile.rect.x0, static_cast<std::size_t>(width));
-      write_row(row_of_pixels(tile, fragments, colours, r, target.clear, row), out);
-    }
-  };
-  std::visit(write_tile, target.colour);
-  if (!target.keep_depth) return;
   for (int y = tile.rect.y0; y < tile.rect.y1; ++y) {
     const float* from = tile.depth.data() +
                         static_cast<std::ptrdiff_t>(y - tile.rect.y0) * tile.stride * tile.samples;
-    float* const to = target.depth.row(y) + tile.rect.x0;
+    float* const to = depth.row(y) + tile.rect.x0;
     for (int x = 0; x < width; ++x, from += tile.samples) to[x] = *from;
   }
 }

@@ -3,17 +3,18 @@
 
 #include <span>
 
-#include "raster/aligned_vector.h"
 #include "raster/render_target.h"
 #include "raster/tile.h"
 #include "raster/visible_fragments.h"
 
 namespace kinescope {
 
-/// Writes a tile's pixels, and its depth if the target keeps it. `colours` are the fragments'.
-/// @param row a worker's storage for one row of pixels
-void resolve_tile(const TileBuffer& tile, const VisibleFragments& fragments,
-                  std::span<const LinearRgba> colours, AlignedVector<LinearRgba>& row,
-                  RenderTarget& target);
+/// Writes the pixels of those blocks of a tile whose fragments these are.
+/// @param colours  of the fragments
+void resolve_blocks(const TileBuffer& tile, const VisibleFragments& fragments,
+                    std::span<const LinearRgba> colours, RenderTarget& target);
+
+/// Copies the depth of each pixel's first sample. All blocks must be stored.
+void keep_depth(const TileBuffer& tile, Image<float>& depth);
 
 }  // namespace kinescope

@@ -1,7 +1,7 @@
 #include "raster/tile.h"
 
 #include <algorithm>
-#include <array>
+#include <limits>
 
 namespace kinescope {
 
@@ -14,16 +14,20 @@ void TileBuffer::begin(const TileGrid& grid, int tile, int sample_count) {
   const auto total = static_cast<std::size_t>(pixels) * static_cast<std::size_t>(samples);
   depth.resize(total);
   id.resize(total);
-  // Blocks of known size: these loops become vector stores. Tiles hold whole blocks.
-  constexpr std::size_t kBlock = 16;
-  std::array<float, kBlock> far;
-  std::array<std::uint32_t, kBlock> nothing;
-  far.fill(1.0f);
-  nothing.fill(kNothing);
-  for (std::size_t i = 0; i < total; i += kBlock) {
-    std::copy_n(far.data(), kBlock, depth.data() + i);
-    std::copy_n(nothing.data(), kBlock, id.data() + i);
-  }
+  block_columns = grid.tile_width / kBlock;
+  block_rows = grid.tile_height / kBlock;
+  stored = 0;
+  shown.fill(nullptr);
+  block_nearest.fill(std::numeric_limits<float>::infinity());
+  // Those that the tile does not have are never the farthest.
+  block_farthest.fill(0.0f);
+  std::fill_n(block_farthest.begin(), block_columns * block_rows, 1.0f);
+}
+
+PixelRect TileBuffer::block_rect(int block) const {
+  const int x = rect.x0 + block % block_columns * kBlock;
+  const int y = rect.y0 + block / block_columns * kBlock;
+  return {x, y, std::min(x + kBlock, rect.x1), std::min(y + kBlock, rect.y1)};
 }
 
 void merge_fragments(const ChunkList<FragmentChunk>& fragments, TileBuffer& tile) {

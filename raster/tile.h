@@ -1,6 +1,7 @@
 // The samples of the tile being drawn: depth, and which triangle is visible.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "raster/aligned_vector.h"
@@ -10,8 +11,14 @@ namespace kinescope {
 
 /// Rows of tile_width pixels, the samples of a pixel side by side; what lies beyond the target's
 /// edge is not looked at.
+///
+/// The tile is cut into blocks of 8x8 pixels. One that a single triangle covers, or none, is known
+/// by that triangle alone: its samples are written only when another triangle shares the block.
 struct TileBuffer {
   static constexpr std::uint32_t kNothing = 0xffffffffu;
+  static constexpr int kBlock = 8;  ///< pixels of a block's side
+  static constexpr int kBlockPixels = kBlock * kBlock;
+  static constexpr int kMaxBlocks = (TileGrid::kMaxTile / kBlock) * (TileGrid::kMaxTile / kBlock);
 
   PixelRect rect;  ///< of the target's pixels
   int stride = 0;  ///< pixels of a row
@@ -21,11 +28,23 @@ struct TileBuffer {
   AlignedVector<float> depth;       ///< 1 where nothing is visible
   AlignedVector<std::uint32_t> id;  ///< kNothing there
 
+  int block_columns = 0, block_rows = 0;
+  std::uint64_t stored = 0;  ///< a bit a block, row by row: its samples are in `depth` and `id`
+  /// Of each other block: what all its samples show, null for nothing.
+  std::array<const TriangleRecord*, kMaxBlocks> shown{};
+  /// Bounds on the depth of what each block shows; of those not stored, exact at the corners.
+  std::array<float, kMaxBlocks> block_nearest{};
+  alignas(64) std::array<float, kMaxBlocks> block_farthest{};
+
   /// Empties the buffer for a tile.
   void begin(const TileGrid& grid, int tile, int sample_count);
+
+  bool is_stored(int block) const { return (stored >> block & 1) != 0; }
+  /// The block's pixels, within the target.
+  PixelRect block_rect(int block) const;
 };
 
-/// Depth-tests finished fragments of pixels with one sample.
+/// Depth-tests finished fragments of pixels with one sample. All blocks must be stored.
 void merge_fragments(const ChunkList<FragmentChunk>& fragments, TileBuffer& tile);
 
 }  // namespace kinescope

@@ -8,6 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/pack-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -56,31 +58,26 @@ HWY_INLINE Extent extent_of(VI a, VI b, VI c, std::int32_t least_offset, std::in
           hn::Sub(hi, lo)};
 }
 
-template <typename D, typename V, typename M>
-HWY_INLINE void append(D d, V v, M mask, hn::TFromD<D>* to) {
-  hn::StoreU(hn::Compress(v, hn::RebindMask(d, mask)), d, to);
-}
-
 /// Appends some of the triangles, the front faces turned round.
 HWY_INLINE void append_turned(const Corner& a, const Corner& b, const Corner& c, hn::Mask<I> front,
                               hn::Mask<I> chosen, VU triangle, CulledTriangles::Snapped& out) {
   const F f;
   const I i;
-  const U u;
   if (hn::AllFalse(i, chosen)) return;
+  const Packer<I> pack(chosen);
   const auto n = static_cast<std::size_t>(out.size);
   const auto front_f = hn::RebindMask(f, front);
-  append(i, a.x, chosen, out.x[0].data() + n);
-  append(i, a.y, chosen, out.y[0].data() + n);
-  append(f, a.z, chosen, out.z[0].data() + n);
-  append(i, hn::IfThenElse(front, c.x, b.x), chosen, out.x[1].data() + n);
-  append(i, hn::IfThenElse(front, c.y, b.y), chosen, out.y[1].data() + n);
-  append(f, hn::IfThenElse(front_f, c.z, b.z), chosen, out.z[1].data() + n);
-  append(i, hn::IfThenElse(front, b.x, c.x), chosen, out.x[2].data() + n);
-  append(i, hn::IfThenElse(front, b.y, c.y), chosen, out.y[2].data() + n);
-  append(f, hn::IfThenElse(front_f, b.z, c.z), chosen, out.z[2].data() + n);
-  append(u, triangle, chosen, out.triangle.data() + n);
-  out.size += static_cast<int>(hn::CountTrue(i, chosen));
+  pack.store(a.x, out.x[0].data() + n);
+  pack.store(a.y, out.y[0].data() + n);
+  pack.store(a.z, out.z[0].data() + n);
+  pack.store(hn::IfThenElse(front, c.x, b.x), out.x[1].data() + n);
+  pack.store(hn::IfThenElse(front, c.y, b.y), out.y[1].data() + n);
+  pack.store(hn::IfThenElse(front_f, c.z, b.z), out.z[1].data() + n);
+  pack.store(hn::IfThenElse(front, b.x, c.x), out.x[2].data() + n);
+  pack.store(hn::IfThenElse(front, b.y, c.y), out.y[2].data() + n);
+  pack.store(hn::IfThenElse(front_f, b.z, c.z), out.z[2].data() + n);
+  pack.store(triangle, out.triangle.data() + n);
+  out.size += static_cast<int>(pack.count());
 }
 
 HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits, VU v0, VU v1, VU v2,
@@ -120,8 +117,9 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits, VU v
   const auto is_large = hn::AndNot(below(CulledTriangles::kMediumPx), keep);
   const VU triangle = hn::Add(hn::Iota(u, 0), hn::Set(u, first));
   if (!hn::AllFalse(i, is_large)) {
-    append(u, triangle, is_large, out.large_triangle.data() + out.large_size);
-    out.large_size += static_cast<int>(hn::CountTrue(i, is_large));
+    const Packer<I> pack(is_large);
+    pack.store(triangle, out.large_triangle.data() + out.large_size);
+    out.large_size += static_cast<int>(pack.count());
   }
   append_turned(a, b, c, front, is_small, triangle, out.small);
   append_turned(a, b, c, front, is_medium, triangle, out.medium);

@@ -8,6 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/pack-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -59,11 +61,11 @@ HWY_INLINE void gather_fours(const std::uint32_t* ids, std::size_t within, std::
         hn::Add(hn::Add(one, hn::IfThenElse(same1, one, zero)),
                 hn::Add(hn::IfThenElse(same2, one, zero), hn::IfThenElse(same3, one, zero)));
     const auto place = hn::Add(pixel, hn::Set(u, xy + static_cast<std::uint32_t>(k)));
-    hn::StoreU(hn::Compress(id, shown), u, out.id.data() + n);
-    hn::StoreU(hn::Compress(place, shown), u, out.xy.data() + n);
-    hn::StoreU(hn::DemoteTo(u8, hn::BitCast(i, hn::Compress(weight, shown))), u8,
-               out.weight.data() + n);
-    n += hn::CountTrue(u, shown);
+    const Packer<U> pack(shown);
+    pack.store(id, out.id.data() + n);
+    pack.store(place, out.xy.data() + n);
+    hn::StoreU(hn::DemoteTo(u8, hn::BitCast(i, pack(weight))), u8, out.weight.data() + n);
+    n += pack.count();
   }
   out.size = static_cast<int>(n);
 }
@@ -90,12 +92,20 @@ HWY_INLINE void append(hn::Vec<U> id, hn::Mask<U> within, std::uint32_t xy, int 
   const U u;
   const auto n = static_cast<std::size_t>(out.size);
   const auto shown = hn::And(within, hn::Ne(id, hn::Set(u, TileBuffer::kNothing)));
-  if (hn::AllFalse(u, shown)) return;
-  hn::StoreU(hn::Compress(id, shown), u, out.id.data() + n);
-  hn::StoreU(hn::Compress(hn::Iota(u, xy), shown), u, out.xy.data() + n);
   const hn::Rebind<std::uint8_t, U> u8;
-  hn::StoreU(hn::Set(u8, static_cast<std::uint8_t>(samples)), u8, out.weight.data() + n);
-  out.size += static_cast<int>(hn::CountTrue(u, shown));
+  if (samples > 1) {
+    hn::StoreU(hn::Set(u8, static_cast<std::uint8_t>(samples)), u8, out.weight.data() + n);
+  }
+  if (hn::AllTrue(u, shown)) {
+    hn::StoreU(id, u, out.id.data() + n);
+    hn::StoreU(hn::Iota(u, xy), u, out.xy.data() + n);
+    out.size += static_cast<int>(hn::Lanes(u));
+    return;
+  }
+  const Packer<U> pack(shown);
+  pack.store(id, out.id.data() + n);
+  pack.store(hn::Iota(u, xy), out.xy.data() + n);
+  out.size += static_cast<int>(pack.count());
 }
 
 /// The first sample's triangles of several pixels, and whether all samples of each agree.
@@ -124,17 +134,40 @@ HWY_INLINE hn::Vec<U> first_samples(const std::uint32_t* ids, hn::Mask<U> within
   }
 }
 
-template <int kSamples>
-HWY_INLINE void gather_all(const TileBuffer& tile, VisibleFragments& out) {
+/// A block that shows one triangle. Whole rows are stored, then those beyond the target dropped.
+HWY_INLINE void gather_plane(const PixelRect& rect, std::uint32_t id, int samples,
+                             VisibleFragments& out) {
   const U u;
-  const int lanes = static_cast<int>(hn::Lanes(u));
-  const int width = tile.rect.x1 - tile.rect.x0, height = tile.rect.y1 - tile.rect.y0;
-  for (int r = 0; r < height; ++r) {
-    out.row_first[static_cast<std::size_t>(r)] = out.size;
-    const std::uint32_t* const row = tile.id.data() + r * tile.stride * kSamples;
-    const std::uint32_t xy = static_cast<std::uint32_t>(tile.rect.y0 + r) << 16 |
-                             static_cast<std::uint32_t>(tile.rect.x0);
-    bool whole = true;
+  const hn::Rebind<std::uint8_t, U> u8;
+  const int lanes = static_cast<int>(hn::Lanes(u)), width = rect.x1 - rect.x0;
+  const auto ids = hn::Set(u, id);
+  const auto weights = hn::Set(u8, static_cast<std::uint8_t>(samples));
+  for (int y = rect.y0; y < rect.y1; ++y) {
+    const std::uint32_t xy =
+        static_cast<std::uint32_t>(y) << 16 | static_cast<std::uint32_t>(rect.x0);
+    for (int x = 0; x < width; x += lanes) {
+      const auto n = static_cast<std::size_t>(out.size + x);
+      hn::StoreU(ids, u, out.id.data() + n);
+      hn::StoreU(hn::Iota(u, xy + static_cast<std::uint32_t>(x)), u, out.xy.data() + n);
+      hn::StoreU(weights, u8, out.weight.data() + n);
+    }
+    out.size += width;
+  }
+}
+
+/// A block whose samples are stored. @return whether each pixel shows one triangle
+template <int kSamples>
+HWY_INLINE bool gather_stored(const TileBuffer& tile, const PixelRect& rect,
+                              VisibleFragments& out) {
+  const U u;
+  const int lanes = static_cast<int>(hn::Lanes(u)), width = rect.x1 - rect.x0;
+  const int before = out.size;
+  bool whole = true;
+  for (int y = rect.y0; y < rect.y1; ++y) {
+    const int first = (y - tile.rect.y0) * tile.stride + rect.x0 - tile.rect.x0;
+    const std::uint32_t* const row = tile.id.data() + first * kSamples;
+    const std::uint32_t xy =
+        static_cast<std::uint32_t>(y) << 16 | static_cast<std::uint32_t>(rect.x0);
     for (int x = 0; x < width; x += lanes) {
       const auto within = hn::FirstN(u, static_cast<std::size_t>(width - x));
       bool agree = true;
@@ -147,20 +180,45 @@ HWY_INLINE void gather_all(const TileBuffer& tile, VisibleFragments& out) {
       gather_pixels<kSamples>(row + x * kSamples, std::min(lanes, width - x),
                               xy + static_cast<std::uint32_t>(x), out);
     }
-    const auto at = static_cast<std::size_t>(r);
-    out.row_is_whole[at] = whole && out.size - out.row_first[at] == width;
   }
-  out.row_first[static_cast<std::size_t>(height)] = out.size;
+  return whole && out.size - before == width * (rect.y1 - rect.y0);
 }
 
-void Gather(const TileBuffer& tile, VisibleFragments& out) {
+template <int kSamples>
+HWY_INLINE void gather_blocks(const TileBuffer& tile, int first, VisibleFragments& out) {
+  constexpr int kSide = TileBuffer::kBlock;
+  const int blocks = tile.block_columns * tile.block_rows;
+  out.size = 0;
+  out.first_block = first;
+  int block = first;
+  for (; block < blocks && out.size <= VisibleFragments::kEnough; ++block) {
+    const auto at = static_cast<std::size_t>(block - first);
+    out.block_first[at] = out.size;
+    out.block_is_whole[at] = false;
+    const TriangleRecord* const shown = tile.shown[static_cast<std::size_t>(block)];
+    if (!tile.is_stored(block) && shown == nullptr) continue;
+    const PixelRect rect = tile.block_rect(block);
+    if (rect.empty()) continue;
+    bool whole = true;
+    if (tile.is_stored(block)) {
+      whole = gather_stored<kSamples>(tile, rect, out);
+    } else {
+      gather_plane(rect, shown->id, kSamples, out);
+    }
+    out.block_is_whole[at] = whole && rect.x1 - rect.x0 == kSide && rect.y1 - rect.y0 == kSide;
+  }
+  out.block_first[static_cast<std::size_t>(block - first)] = out.size;
+  out.end_block = block;
+}
+
+void Gather(const TileBuffer& tile, int first, VisibleFragments& out) {
   switch (tile.samples) {
     case 1:
-      return gather_all<1>(tile, out);
+      return gather_blocks<1>(tile, first, out);
     case 4:
-      return gather_all<4>(tile, out);
+      return gather_blocks<4>(tile, first, out);
     default:
-      return gather_all<8>(tile, out);
+      return gather_blocks<8>(tile, first, out);
   }
 }
 
@@ -172,10 +230,8 @@ namespace kinescope {
 
 HWY_EXPORT(Gather);
 
-void gather_visible(const TileBuffer& tile, VisibleFragments& out) {
-  out.size = 0;
-  out.reserve(tile.pixels * tile.samples);
-  HWY_DYNAMIC_DISPATCH(Gather)(tile, out);
+void gather_visible(const TileBuffer& tile, int first_block, VisibleFragments& out) {
+  HWY_DYNAMIC_DISPATCH(Gather)(tile, first_block, out);
 }
 
 }  // namespace kinescope

@@ -1,11 +1,17 @@
 #include "raster/kernels/interpolate.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <span>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/kernels/interpolate.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#include "raster/kernels/pack-inl.h"
+#include "raster/tile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
@@ -131,21 +137,40 @@ HWY_INLINE void set_attributes(const DrawCall& call, std::size_t k, WeightPlanes
   }
 }
 
-/// Fragments [k, k + lanes). Each belongs to the run of the one before or to the next run, so that
-/// all their planes lie within one vector of each array.
-HWY_INLINE void interpolate_vector(const DrawCall& call, std::size_t k, BatchStorage& batch) {
+/// Values of eight consecutive runs at most, for fragments that belong to them.
+struct RunWindow {
+  std::size_t first;
+  decltype(hn::IndicesFromVec(F(), hn::Vec<I>())) within;
+  HWY_INLINE hn::Vec<F> operator()(const WeightPlanes::Runs<float>& plane) const {
+    return hn::TableLookupLanes(hn::LoadU(F(), plane.data() + first), within);
+  }
+};
+/// Values of one run.
+struct OneRun {
+  std::size_t run;
+  HWY_INLINE hn::Vec<F> operator()(const WeightPlanes::Runs<float>& plane) const {
+    return hn::Set(F(), plane[run]);
+  }
+};
+/// Values of any runs.
+struct AnyRuns {
+  hn::Vec<I> run;
+  HWY_INLINE hn::Vec<F> operator()(const WeightPlanes::Runs<float>& plane) const {
+    return hn::GatherIndex(F(), plane.data(), run);
+  }
+};
+
+/// Fragments [k, k + lanes).
+/// @param of  gives each fragment the value of its run
+template <class Of>
+HWY_NOINLINE void interpolate_vector(const DrawCall& call, std::size_t k, const Of& of,
+                                     BatchStorage& batch) {
   const F f;
   const I i;
   const U16 u16;
   using V = hn::Vec<F>;
   const auto half = hn::Set(f, 0.5f), zero = hn::Zero(f), one = hn::Set(f, 1.0f);
   const WeightPlanes& p = batch.planes;
-  const auto first = static_cast<std::size_t>(p.run[k]);
-  const auto within =
-      hn::IndicesFromVec(f, hn::Sub(hn::LoadU(i, p.run.data() + k), hn::Set(i, p.run[k])));
-  const auto of = [&](const WeightPlanes::Runs<float>& plane) HWY_ATTR {
-    return hn::TableLookupLanes(hn::LoadU(f, plane.data() + first), within);
-  };
   const V px = hn::ConvertTo(f, hn::PromoteTo(i, hn::LoadU(u16, batch.x.data() + k)));
   const V py = hn::ConvertTo(f, hn::PromoteTo(i, hn::LoadU(u16, batch.y.data() + k)));
   const V dx = hn::Sub(hn::Add(px, half), of(p.x_px));
@@ -180,31 +205,94 @@ HWY_INLINE void interpolate_vector(const DrawCall& call, std::size_t k, BatchSto
 
 /// Finds the runs; returns how many there are.
 HWY_INLINE std::size_t find_runs(std::size_t size, BatchStorage& batch) {
+  const U u;
+  const std::size_t lanes = hn::Lanes(u);
   WeightPlanes& p = batch.planes;
-  std::int32_t run = 0;
+  // So that the last fragment and those beyond it are of one run.
+  for (std::size_t k = size; k <= size + lanes; ++k) batch.triangle[k] = batch.triangle[size - 1];
   p.triangle[0] = batch.triangle[0];
-  p.run[0] = 0;
-  for (std::size_t k = 1; k < size; ++k) {
-    // Written either way: nobody can predict where a small triangle ends.
-    run += batch.triangle[k] != batch.triangle[k - 1] ? 1 : 0;
-    p.triangle[static_cast<std::size_t>(run)] = batch.triangle[k];
-    p.run[k] = run;
+  std::int32_t run = 0;
+  for (std::size_t k = 0, v = 0; k < size; k += lanes, ++v) {
+    const auto next = hn::LoadU(u, batch.triangle.data() + k + 1);
+    const Packer<U> pack(hn::Ne(hn::Load(u, batch.triangle.data() + k), next));
+    pack.store(next, p.triangle.data() + run + 1);
+    p.first_run[v] = run;
+    p.run_ends[v] = pack.bits();
+    run += static_cast<std::int32_t>(pack.count());
   }
   return static_cast<std::size_t>(run) + 1;
+}
+
+/// Rows of a block meet the same few triangles again and again: a run whose triangle is that of one
+/// of the last four joins it. @return how many runs are left
+HWY_INLINE std::size_t join_runs(std::size_t runs, WeightPlanes& p) {
+  // Run n in place n % 4. No branch asks whether there is one: nobody can predict it.
+  std::array<std::uint32_t, 4> last;
+  last.fill(TileBuffer::kNothing);
+  std::uint32_t count = 0;
+  for (std::size_t r = 0; r < runs; ++r) {
+    const std::uint32_t triangle = p.triangle[r];
+    std::uint32_t same = 0;
+    for (std::uint32_t k = 0; k < 4; ++k) same |= (last[k] == triangle ? 1u : 0u) << k;
+    const auto place = static_cast<std::uint32_t>(std::countr_zero(same | 16u));
+    const std::uint32_t back = (count - 1 - place) & 3;
+    const std::uint32_t at = same != 0 ? count - 1 - back : count;
+    last[at & 3] = triangle;
+    p.triangle[at] = triangle;
+    p.joined[r] = static_cast<std::int32_t>(at);
+    count += same != 0 ? 0 : 1;
+  }
+  return count;
+}
+
+/// All vectors of fragments, with the planes of their runs.
+HWY_INLINE void interpolate_all(const DrawCall& call, std::size_t size, bool joined,
+                                BatchStorage& batch) {
+  const I i;
+  const U u;
+  const hn::Rebind<std::uint8_t, F> u8;
+  const std::size_t lanes = hn::Lanes(u);
+  const WeightPlanes& p = batch.planes;
+  for (std::size_t k = 0, v = 0; k < size; k += lanes, ++v) {
+    const auto first = static_cast<std::size_t>(p.first_run[v]);
+    const std::uint32_t ends = p.run_ends[v] & ((1u << (lanes - 1)) - 1);
+    if (ends == 0) {
+      interpolate_vector(call, k,
+                         OneRun{joined ? static_cast<std::size_t>(p.joined[first]) : first}, batch);
+      continue;
+    }
+    const auto within = hn::PromoteTo(u, hn::LoadU(u8, kBitsBefore[ends].data()));
+    if (!joined) {
+      interpolate_vector(call, k, RunWindow{first, hn::IndicesFromVec(F(), within)}, batch);
+      continue;
+    }
+    const auto run =
+        hn::TableLookupLanes(hn::LoadU(i, p.joined.data() + first), hn::IndicesFromVec(i, within));
+    const std::int32_t least = hn::GetLane(hn::MinOfLanes(i, run));
+    const std::int32_t most = hn::GetLane(hn::MaxOfLanes(i, run));
+    if (most - least < static_cast<std::int32_t>(lanes)) {
+      const auto from_least = hn::IndicesFromVec(F(), hn::Sub(run, hn::Set(i, least)));
+      interpolate_vector(call, k, RunWindow{static_cast<std::size_t>(least), from_least}, batch);
+    } else {
+      interpolate_vector(call, k, AnyRuns{run}, batch);
+    }
+  }
 }
 
 void Interpolate(const DrawCall& call, int size, BatchStorage& batch) {
   WeightPlanes& p = batch.planes;
   const auto end = static_cast<std::size_t>(size);
-  const std::size_t runs = find_runs(end, batch), lanes = hn::Lanes(F());
-  // Whole vectors of triangles that exist, and of fragments of the last.
+  const std::size_t lanes = hn::Lanes(F());
+  std::size_t runs = find_runs(end, batch);
+  const bool joined = 2 * runs < end;
+  if (joined) runs = join_runs(runs, p);
+  // Whole vectors of triangles that exist.
   for (std::size_t k = runs; k % lanes != 0; ++k) p.triangle[k] = p.triangle[0];
-  for (std::size_t k = end; k % lanes != 0; ++k) p.run[k] = p.run[end - 1];
   for (std::size_t k = 0; k < runs; k += lanes) {
     set_planes(call, k, p);
     set_attributes(call, k, p);
   }
-  for (std::size_t k = 0; k < end; k += lanes) interpolate_vector(call, k, batch);
+  interpolate_all(call, end, joined, batch);
 }
 
 void UnpackFragments(const std::uint32_t* id, const std::uint32_t* xy, std::uint32_t first_id,

@@ -26,7 +26,11 @@ struct WeightPlanes {
   using Attributes = std::array<Runs<float>, Batch::kMaxAttributes>;
   alignas(64) std::array<Attributes, 3> attribute{};
 
-  alignas(64) Runs<std::int32_t> run{};  ///< of each fragment of the batch, counted from 0
+  /// Of each vector of the batch's fragments: the run of its first one, and a bit for each fragment
+  /// that is its run's last.
+  alignas(64) Runs<std::int32_t> first_run{};
+  Runs<std::uint8_t> run_ends{};
+  Runs<std::int32_t> joined{};  ///< of each run as found, where several were joined: the one left
 };
 
 /// The arrays that a Batch points to.

@@ -8,8 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/kernels/sample_lanes-inl.h"
-#include "raster/kernels/set_up-inl.h"
+#include "raster/kernels/tile_blocks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
@@ -57,11 +56,6 @@ HWY_INLINE void set_up(const MediumChunk& t, std::size_t k, const PixelRect& rec
   hn::Store(depth.farthest, f, out.farthest.data());
 }
 
-/// One edge down a column of vectors: E / 256 rounded down, whose sign is exact.
-struct EdgeColumn {
-  VI value, step_x, step_y;
-};
-
 /// @param x  pixel of the vector's first lane
 template <class Lanes>
 HWY_INLINE EdgeColumn edge_column(const SetUp& t, std::size_t edge, std::size_t k,
@@ -71,7 +65,7 @@ HWY_INLINE EdgeColumn edge_column(const SetUp& t, std::size_t edge, std::size_t 
   const VI shift = hn::Sub(hn::Mul(dx, lanes.raw_y), hn::Mul(dy, lanes.raw_x));
   const VI e = hn::ShiftRight<8>(hn::Add(hn::Set(i, t.e[edge][k]), shift));
   const VI columns = hn::Add(lanes.column, hn::Set(i, x - t.x0[k]));
-  return {hn::Sub(e, hn::Mul(columns, dy)), hn::Set(i, Lanes::kPixels * t.dy[edge][k]), dx};
+  return {hn::Sub(e, hn::Mul(columns, dy)), dx};
 }
 
 /// One triangle of the group, in columns of a vector's width.
@@ -80,45 +74,20 @@ HWY_INLINE void draw_one(const SetUp& t, std::size_t k, std::uint32_t id, const 
                          TileBuffer& tile) {
   const F f;
   const I i;
-  const U u;
-  const int x0 = t.x0[k], y0 = t.y0[k], x1 = t.x1[k], y1 = t.y1[k];
-  const VF one = hn::Set(f, 1.0f), anchor_y = hn::Set(f, t.anchor_y[k]);
-  const VF z0 = hn::Set(f, t.z[k]), dz_dy = hn::Set(f, t.dz_dy[k]), dz_dx = hn::Set(f, t.dz_dx[k]);
-  const VF nearest = hn::Set(f, t.nearest[k]), farthest = hn::Set(f, t.farthest[k]);
-  const auto ids = hn::Set(u, id);
-  const VI minus_one = hn::Set(i, -1);
-  float* const plane_z = tile.depth.data();
-  std::uint32_t* const plane_id = tile.id.data();
-  const int first = x0 & -Lanes::kPixels;
+  const TriangleVectors triangle = {hn::Set(f, t.anchor_x[k]), hn::Set(f, t.anchor_y[k]),
+                                    hn::Set(f, t.z[k]),        hn::Set(f, t.dz_dx[k]),
+                                    hn::Set(f, t.dz_dy[k]),    hn::Set(f, t.nearest[k]),
+                                    hn::Set(f, t.farthest[k]), hn::Set(U(), id)};
+  const int first = t.x0[k] & -Lanes::kPixels;
   EdgeColumn edge[3];
-  for (std::size_t e = 0; e < 3; ++e) edge[e] = edge_column(t, e, k, lanes, first);
-  const auto stride = static_cast<std::size_t>(tile.stride * Lanes::kSamples);
-  for (int x = first; x < x1; x += Lanes::kPixels) {
-    VI a = edge[0].value, b = edge[1].value, c = edge[2].value;
-    const VF px = hn::Add(hn::ConvertTo(f, hn::Add(lanes.column, hn::Set(i, x))), lanes.x_px);
-    const VF column_z = hn::Mul(dz_dx, hn::Sub(px, hn::Set(f, t.anchor_x[k])));
-    // Exact: rows are below 2^15 and samples lie in sixteenths.
-    VF py = hn::Add(hn::Set(f, static_cast<float>(y0)), lanes.y_px);
-    std::size_t at = lanes.place(tile, x, y0);
-    for (int y = y0; y < y1; ++y, at += stride) {
-      const auto covered = hn::Gt(hn::Or(hn::Or(a, b), c), minus_one);
-      if (!hn::AllFalse(i, covered)) {
-        const VF row_z = hn::Add(z0, hn::Mul(dz_dy, hn::Sub(py, anchor_y)));
-        const VF z = hn::Min(hn::Max(hn::Add(row_z, column_z), nearest), farthest);
-        const VF old_z = hn::Load(f, plane_z + at);
-        const auto old_id = hn::Load(u, plane_id + at);
-        const auto earlier = hn::RebindMask(f, hn::Lt(ids, old_id));
-        const auto wins = hn::And(hn::RebindMask(f, covered),
-                                  hn::Or(hn::Lt(z, old_z), hn::And(hn::Eq(z, old_z), earlier)));
-        hn::Store(hn::IfThenElse(wins, z, old_z), f, plane_z + at);
-        hn::Store(hn::IfThenElse(hn::RebindMask(u, wins), ids, old_id), u, plane_id + at);
-      }
-      a = hn::Add(a, edge[0].step_y);
-      b = hn::Add(b, edge[1].step_y);
-      c = hn::Add(c, edge[2].step_y);
-      py = hn::Add(py, one);
-    }
-    for (EdgeColumn& e : edge) e.value = hn::Sub(e.value, e.step_x);
+  VI step_x[3];
+  for (std::size_t e = 0; e < 3; ++e) {
+    edge[e] = edge_column(t, e, k, lanes, first);
+    step_x[e] = hn::Set(i, Lanes::kPixels * t.dy[e][k]);
+  }
+  for (int x = first; x < t.x1[k]; x += Lanes::kPixels) {
+    draw_column(edge, hn::Zero(i), triangle, lanes, x, t.y0[k], t.y1[k], tile);
+    for (std::size_t e = 0; e < 3; ++e) edge[e].value = hn::Sub(edge[e].value, step_x[e]);
   }
 }
 
@@ -128,16 +97,18 @@ HWY_INLINE void draw_all(const ChunkList<MediumChunk>& triangles,
   using Lanes = SampleLanes<kSamples>;
   const I i;
   const auto lanes = static_cast<std::size_t>(hn::Lanes(i));
+  const LaneParts<kSamples> parts(pattern);
   SetUp group;
   for (const MediumChunk* chunk = triangles.first; chunk != nullptr; chunk = chunk->next) {
     const auto size = static_cast<std::size_t>(chunk->size);
     for (std::size_t first = 0; first < size; first += lanes) {
       set_up(*chunk, first, tile.rect, group);
-      const std::size_t count = std::min(lanes, size - first);
-      for (int part = 0; part < Lanes::kParts; ++part) {
-        const Lanes samples(pattern, part);
-        for (std::size_t k = 0; k < count; ++k) {
-          if (group.nearest[k] > tile.farthest) continue;
+      for (std::size_t k = 0; k < std::min(lanes, size - first); ++k) {
+        if (group.nearest[k] > tile.farthest) continue;
+        const PixelRect box = {group.x0[k], group.y0[k], group.x1[k], group.y1[k]};
+        if (box.empty()) continue;
+        store_blocks(blocks_touched(box, tile), parts, tile);
+        for (const Lanes& samples : parts.part) {
           draw_one(group, k, chunk->id[first + k], samples, tile);
         }
       }

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "raster/kernels/set_up-inl.h"
 #include "raster/sample_pattern.h"
@@ -60,6 +61,21 @@ struct SampleLanes {
     const int pixel = (y - tile.rect.y0) * tile.stride + x - tile.rect.x0;
     return static_cast<std::size_t>(pixel * kSamples + part * kLanes);
   }
+};
+
+/// All parts: together they hold the samples of kPixels pixels.
+template <int kSamples>
+struct LaneParts {
+  using Lanes = SampleLanes<kSamples>;
+  Lanes part[Lanes::kParts];
+
+  explicit LaneParts(std::span<const SampleOffset> pattern)
+      : LaneParts(pattern, std::make_index_sequence<Lanes::kParts>()) {}
+
+ private:
+  template <std::size_t... kIndex>
+  LaneParts(std::span<const SampleOffset> pattern, std::index_sequence<kIndex...>)
+      : part{Lanes(pattern, static_cast<int>(kIndex))...} {}
 };
 
 }  // namespace kinescope::HWY_NAMESPACE

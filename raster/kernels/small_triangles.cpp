@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/pack-inl.h"
 #include "raster/kernels/set_up-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -126,17 +127,13 @@ HWY_INLINE void draw_group(const Group& g, std::span<const SampleOffset> pattern
 
 /// Appends the covered lanes to arrays of fragments, which have room for a whole vector.
 template <int kSamples, class Fragments>
-HWY_INLINE void append(const Step<kSamples>& step, VI pixel, VU id, Fragments& to) {
-  const F f;
-  const U u;
+HWY_INLINE void append(const Step<kSamples>& step, const Packer<I>& pack, VI pixel, VU id,
+                       Fragments& to) {
   const auto n = static_cast<std::size_t>(to.size);
-  const auto covered = hn::RebindMask(u, step.covered);
-  hn::StoreU(hn::Compress(hn::BitCast(u, pixel), covered), u, to.pixel.data() + n);
-  hn::StoreU(hn::Compress(id, covered), u, to.id.data() + n);
-  for (std::size_t s = 0; s < kSamples; ++s) {
-    hn::StoreU(hn::Compress(step.z[s], hn::RebindMask(f, step.covered)), f, to.depth[s].data() + n);
-  }
-  to.size += static_cast<int>(hn::CountTrue(u, covered));
+  pack.store(hn::BitCast(U(), pixel), to.pixel.data() + n);
+  pack.store(id, to.id.data() + n);
+  for (std::size_t s = 0; s < kSamples; ++s) pack.store(step.z[s], to.depth[s].data() + n);
+  to.size += static_cast<int>(pack.count());
 }
 
 /// Where a worker puts fragments of pixels with that many samples.
@@ -172,7 +169,8 @@ HWY_INLINE void draw_in_tile(const Group& g, std::span<const SampleOffset> patte
     if (chunk->size + lanes > static_cast<int>(chunk->kCapacity)) {
       chunk = &list.tail(pool_of<kSamples>(bins), lanes);
     }
-    append(step, hn::Add(hn::Add(hn::Mul(step.y, stride), step.x), base), g.id, *chunk);
+    const Packer<I> pack(step.covered);
+    append(step, pack, hn::Add(hn::Add(hn::Mul(step.y, stride), step.x), base), g.id, *chunk);
   });
 }
 
@@ -219,9 +217,9 @@ HWY_INLINE void draw_across_tiles(const Group& g, std::span<const SampleOffset> 
     const VI tile = hn::Add(hn::Mul(row, columns), column);
     const VI in_x = hn::Sub(step.x, hn::Mul(column, tile_width));
     const VI in_y = hn::Sub(step.y, hn::Mul(row, tile_height));
-    hn::StoreU(hn::Compress(hn::BitCast(u, tile), hn::RebindMask(u, step.covered)), u,
-               out.tile.data() + out.size);
-    append(step, hn::Add(hn::Mul(in_y, tile_width), in_x), g.id, out);
+    const Packer<I> pack(step.covered);
+    pack.store(hn::BitCast(u, tile), out.tile.data() + out.size);
+    append(step, pack, hn::Add(hn::Mul(in_y, tile_width), in_x), g.id, out);
     if (out.size + lanes > out.kCapacity) sort_into_bins(out, bins);
   });
 }
