@@ -34,17 +34,6 @@ TriangleRecord record_of(const SnappedTriangle& t, std::uint32_t id, const Pixel
   return r;
 }
 
-void append(const CulledTriangles::Snapped& from, std::size_t i, std::uint32_t first_id,
-            MediumChunk& chunk) {
-  const auto n = static_cast<std::size_t>(chunk.size++);
-  for (std::size_t v = 0; v < 3; ++v) {
-    chunk.x[v][n] = from.x[v][i];
-    chunk.y[v][n] = from.y[v][i];
-    chunk.z[v][n] = from.z[v][i];
-  }
-  chunk.id[n] = first_id + from.triangle[i];
-}
-
 }  // namespace
 
 PixelRect pixel_box(const SnappedTriangle& t, std::span<const SampleOffset> pattern,
@@ -76,24 +65,6 @@ bool bin_triangle(const SnappedTriangle& t, std::uint32_t id, std::span<const Sa
     }
   }
   return true;
-}
-
-void bin_medium_triangles(const CulledTriangles::Snapped& t, std::uint32_t first_id,
-                          const TileGrid& grid, Bins& bins) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(t.size); ++i) {
-    const auto [x_min, x_max] = std::minmax({t.x[0][i], t.x[1][i], t.x[2][i]});
-    const auto [y_min, y_max] = std::minmax({t.y[0][i], t.y[1][i], t.y[2][i]});
-    const int column0 = grid.column_of(std::max(x_min >> 8, 0));
-    const int column1 = grid.column_of(std::min(x_max >> 8, grid.width - 1));
-    const int row0 = grid.row_of(std::max(y_min >> 8, 0));
-    const int row1 = grid.row_of(std::min(y_max >> 8, grid.height - 1));
-    for (int row = row0; row <= row1; ++row) {
-      for (int column = column0; column <= column1; ++column) {
-        const auto tile = static_cast<std::size_t>(row * grid.columns + column);
-        append(t, i, first_id, bins.medium[tile].tail(bins.medium_pool));
-      }
-    }
-  }
 }
 
 }  // namespace kinescope

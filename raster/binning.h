@@ -5,8 +5,8 @@
 #include <span>
 
 #include "raster/bins.h"
-#include "raster/kernels/cull.h"
 #include "raster/sample_pattern.h"
+#include "raster/triangle_setup.h"
 
 namespace kinescope {
 
@@ -17,10 +17,5 @@ PixelRect pixel_box(const SnappedTriangle& triangle, std::span<const SampleOffse
 /// Puts a triangle's record into each tile where it may cover a sample. Returns whether any.
 bool bin_triangle(const SnappedTriangle& triangle, std::uint32_t id,
                   std::span<const SampleOffset> pattern, const TileGrid& grid, Bins& bins);
-
-/// Puts triangles of middle size into each tile that their boxes touch.
-/// @param first_id  id of the call's first triangle
-void bin_medium_triangles(const CulledTriangles::Snapped& triangles, std::uint32_t first_id,
-                          const TileGrid& grid, Bins& bins);
 
 }  // namespace kinescope

@@ -22,13 +22,13 @@ struct TriangleRecord {
 };
 static_assert(sizeof(TriangleRecord) <= 64);
 
-/// Triangles of middle size as structure of arrays, as CulledTriangles holds them.
-struct MediumChunk {
-  static constexpr std::size_t kCapacity = 24;
+/// Small and medium triangles as structure of arrays, as CulledTriangles holds them.
+struct TriangleChunk {
+  static constexpr std::size_t kCapacity = 32;
   std::array<std::array<std::int32_t, kCapacity>, 3> x, y;
   std::array<std::array<float, kCapacity>, 3> z;
   std::array<std::uint32_t, kCapacity> id;
-  MediumChunk* next;
+  TriangleChunk* next;
   int size;
 };
 
@@ -38,21 +38,6 @@ struct RecordChunk {
   RecordChunk* next;
   int size;
 };
-
-/// Fragments, one a pixel and triangle, as structure of arrays, so that SIMD can append them
-/// compressed.
-template <int kSamples>
-struct FragmentChunkOf {
-  static constexpr std::size_t kCapacity = kSamples == 1 ? 168 : 64;
-  std::array<std::uint32_t, kCapacity> pixel;  ///< row * tile_width + column, in the tile
-  std::array<std::uint32_t, kCapacity> id;
-  /// Of each sample; if there are several, infinite where the triangle does not cover one.
-  std::array<std::array<float, kCapacity>, kSamples> depth;
-  FragmentChunkOf* next;
-  int size;
-};
-using FragmentChunk = FragmentChunkOf<1>;
-using SampledChunk = FragmentChunkOf<8>;  ///< of a frame with four samples, the first four arrays
 
 /// Hands out chunks and takes them all back at once; memory is kept for the next frame.
 template <typename Chunk>
@@ -101,23 +86,19 @@ struct ChunkList {
 /// and of equals the one submitted first, the order in which bins are drawn does not matter.
 struct Bins {
   std::vector<ChunkList<RecordChunk>> records;
-  std::vector<ChunkList<MediumChunk>> medium;
-  std::vector<ChunkList<FragmentChunk>> fragments;  ///< of a frame with one sample a pixel
-  std::vector<ChunkList<SampledChunk>> sampled;     ///< of a frame with more
+  std::vector<ChunkList<TriangleChunk>> medium;
+  std::vector<ChunkList<TriangleChunk>> small;         ///< those that touch no other tile
+  std::vector<ChunkList<TriangleChunk>> small_across;  ///< the others
   ChunkPool<RecordChunk> record_pool;
-  ChunkPool<MediumChunk> medium_pool;
-  ChunkPool<FragmentChunk> fragment_pool;
-  ChunkPool<SampledChunk> sampled_pool;
+  ChunkPool<TriangleChunk> triangle_pool;
 
   void clear(int tiles) {
     records.assign(static_cast<std::size_t>(tiles), {});
-    medium.assign(static_cast<std::size_t>(tiles), {});
-    fragments.assign(static_cast<std::size_t>(tiles), {});
-    sampled.assign(static_cast<std::size_t>(tiles), {});
+    for (auto* lists : {&medium, &small, &small_across}) {
+      lists->assign(static_cast<std::size_t>(tiles), {});
+    }
     record_pool.take_all_back();
-    medium_pool.take_all_back();
-    fragment_pool.take_all_back();
-    sampled_pool.take_all_back();
+    triangle_pool.take_all_back();
   }
 };
 

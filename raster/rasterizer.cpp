@@ -8,11 +8,11 @@
 #include "raster/base/error.h"
 #include "raster/binning.h"
 #include "raster/fragment_batches.h"
+#include "raster/kernels/bin_triangles.h"
 #include "raster/kernels/cull.h"
 #include "raster/kernels/gather.h"
 #include "raster/kernels/large_triangles.h"
 #include "raster/kernels/medium_triangles.h"
-#include "raster/kernels/merge_samples.h"
 #include "raster/kernels/small_triangles.h"
 #include "raster/resolve.h"
 #include "raster/tile.h"
@@ -27,6 +27,7 @@ struct alignas(64) WorkerState {
   CulledTriangles culled;
   Bins bins;
   TileBuffer tile;
+  FragmentBuffer buffer;
   std::vector<const TriangleRecord*> records;  ///< of the tile
   VisibleFragments visible;
   FragmentShader shader;
@@ -99,7 +100,7 @@ void Rasterizer::Frame::bin_range(const TriangleRange& range, WorkerState& state
   const std::uint32_t first_id = calls.first_id[range.call];
   CulledTriangles& culled = state.culled;
   cull_triangles(call, range.first, range.count, pattern, grid, culled);
-  draw_small_triangles(culled.small, first_id, pattern, grid, state.bins);
+  bin_small_triangles(culled.small, first_id, grid, state.bins);
   bin_medium_triangles(culled.medium, first_id, grid, state.bins);
   state.stats.drawn += static_cast<std::uint64_t>(culled.small.size + culled.medium.size);
   SnappedTriangle triangle;
@@ -127,16 +128,12 @@ void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash
   std::sort(state.records.begin(), state.records.end(),
             [](const auto* a, const auto* b) { return a->nearest < b->nearest; });
   draw_large_triangles(state.records, pattern, state.tile);
-  bool fragments = false;
   for (const WorkerState& from : states) {
     draw_medium_triangles(from.bins.medium[at], pattern, state.tile);
-    fragments |= from.bins.fragments[at].first != nullptr || from.bins.sampled[at].first != nullptr;
+    draw_small_triangles(from.bins.small[at], false, pattern, state.tile, state.buffer);
+    draw_small_triangles(from.bins.small_across[at], true, pattern, state.tile, state.buffer);
   }
-  if (fragments || want_hash || target.keep_depth) store_all_blocks(pattern, state.tile);
-  for (const WorkerState& from : states) {
-    merge_fragments(from.bins.fragments[at], state.tile);
-    merge_samples(from.bins.sampled[at], state.tile);
-  }
+  if (want_hash || target.keep_depth) store_all_blocks(pattern, state.tile);
   if (want_hash) state.stats.visibility_hash += tile_hash(state.tile, target.width);
   if (target.keep_depth) keep_depth(state.tile, target.depth);
   // A few blocks at a time, so that fragments and colours stay in a first-level cache.

@@ -5,13 +5,14 @@
 #include <variant>
 
 #include "raster/colour/encode.h"
+#include "raster/kernels/average_samples.h"
 #include "raster/kernels/linear8.h"
 
 namespace kinescope {
 namespace {
 
 constexpr int kSide = TileBuffer::kBlock;
-constexpr std::size_t kPixels = kSide * kSide;
+constexpr std::size_t kPixels = TileBuffer::kBlockPixels;
 
 void encode(std::span<const LinearRgba> in, std::span<Srgb8> out) { encode_row(in, out); }
 void encode(std::span<const LinearRgba> in, std::span<Linear8> out) { quantize_row(in, out); }
@@ -19,40 +20,16 @@ void encode(std::span<const LinearRgba> in, std::span<LinearRgba> out) {
   std::copy(in.begin(), in.end(), out.begin());
 }
 
-LinearRgba sum(const LinearRgba& a, const LinearRgba& b, float weight) {
-  return {a.r + b.r * weight, a.g + b.g * weight, a.b + b.b * weight, a.a + b.a * weight};
-}
-
-/// Fragments [first, end) of a block, put together to its 64 pixels: where there are several
-/// samples, the mean of each pixel's. No branch asks how many fragments a pixel has, since nobody
-/// can predict it.
-void put_together(const VisibleFragments& fragments, std::span<const LinearRgba> colours, int first,
-                  int end, int samples, const LinearRgba& clear,
+/// The fragments of a block, put together to its 64 pixels.
+void put_together(const VisibleFragments& fragments, std::span<const LinearRgba> colours,
+                  std::size_t first, std::size_t end, int samples, const LinearRgba& clear,
                   std::array<LinearRgba, kPixels>& out) {
-  const auto pixel = [&](std::size_t i) -> std::size_t {
-    const std::uint32_t xy = fragments.xy[i];
-    return (xy >> 16) % kSide * kSide + xy % kSide;
-  };
-  const auto last = static_cast<std::size_t>(end);
-  if (samples == 1) {
-    out.fill(clear);
-    for (auto i = static_cast<std::size_t>(first); i < last; ++i) out[pixel(i)] = colours[i];
+  if (samples > 1) {
+    average_samples(fragments, colours, first, end, samples, clear, out);
     return;
   }
-  out.fill({0, 0, 0, 0});
-  std::array<int, kPixels> empty;
-  empty.fill(samples);
-  for (auto i = static_cast<std::size_t>(first); i < last; ++i) {
-    const std::size_t at = pixel(i);
-    empty[at] -= fragments.weight[i];
-    out[at] = sum(out[at], colours[i], static_cast<float>(fragments.weight[i]));
-  }
-  // Then the clear colour where no fragment is.
-  const float share = 1.0f / static_cast<float>(samples);
-  for (std::size_t at = 0; at < kPixels; ++at) {
-    const LinearRgba all = sum(out[at], clear, static_cast<float>(empty[at]));
-    out[at] = {all.r * share, all.g * share, all.b * share, all.a * share};
-  }
+  out.fill(clear);
+  for (std::size_t i = first; i < end; ++i) out[pixel_in_block(fragments.xy[i])] = colours[i];
 }
 
 template <class Pixel>
@@ -88,7 +65,8 @@ void write_blocks(const TileBuffer& tile, const VisibleFragments& fragments,
     } else if (fragments.block_is_whole[at]) {
       encode(colours.subspan(static_cast<std::size_t>(first), kPixels), codes);
     } else {
-      put_together(fragments, colours, first, end, tile.samples, clear, linear);
+      put_together(fragments, colours, static_cast<std::size_t>(first),
+                   static_cast<std::size_t>(end), tile.samples, clear, linear);
       encode(linear, codes);
     }
     write_block(codes, rect, image);

@@ -44,7 +44,4 @@ struct TileBuffer {
   PixelRect block_rect(int block) const;
 };
 
-/// Depth-tests finished fragments of pixels with one sample. All blocks must be stored.
-void merge_fragments(const ChunkList<FragmentChunk>& fragments, TileBuffer& tile);
-
 }  // namespace kinescope

@@ -1,5 +1,7 @@
 #include "raster/kernels/interpolate.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -22,6 +24,29 @@ using I = hn::RebindToSigned<F>;
 using U = hn::RebindToUnsigned<F>;
 using U16 = hn::Rebind<std::uint16_t, F>;
 
+/// Twice the areas of triangles, rounded once: with sides of at most 2^25 raw units the products
+/// and their difference are exact in double precision.
+HWY_INLINE hn::Vec<F> double_area(hn::Vec<I> x1, hn::Vec<I> y1, hn::Vec<I> x2, hn::Vec<I> y2) {
+  const F f;
+#if HWY_TARGET == HWY_SCALAR
+  const double area = static_cast<double>(hn::GetLane(x1)) * hn::GetLane(y2) -
+                      static_cast<double>(hn::GetLane(x2)) * hn::GetLane(y1);
+  return hn::Set(f, static_cast<float>(area));
+#else
+  const hn::Half<F> half;
+  const hn::Half<I> half_i;
+  const hn::Rebind<double, hn::Half<F> > d;
+  const auto of = [&](auto a1, auto b1, auto a2, auto b2) HWY_ATTR {
+    const auto wide = [&](auto v) HWY_ATTR { return hn::PromoteTo(d, v); };
+    return hn::DemoteTo(half, hn::Sub(hn::Mul(wide(a1), wide(b2)), hn::Mul(wide(a2), wide(b1))));
+  };
+  const auto low = [&](hn::Vec<I> v) HWY_ATTR { return hn::LowerHalf(half_i, v); };
+  const auto high = [&](hn::Vec<I> v) HWY_ATTR { return hn::UpperHalf(half_i, v); };
+  return hn::Combine(f, of(high(x1), high(y1), high(x2), high(y2)),
+                     of(low(x1), low(y1), low(x2), low(y2)));
+#endif
+}
+
 /// Planes of runs [k, k + lanes).
 HWY_INLINE void set_planes(const DrawCall& call, std::size_t k, WeightPlanes& p) {
   const F f;
@@ -29,42 +54,31 @@ HWY_INLINE void set_planes(const DrawCall& call, std::size_t k, WeightPlanes& p)
   const U u;
   using V = hn::Vec<F>;
   const DeviceVertices& from = call.vertices;
-  const auto* const indices = reinterpret_cast<const std::int32_t*>(call.indices.data());
-  const auto triangle = hn::BitCast(i, hn::LoadU(u, p.triangle.data() + k));
-  const auto at = hn::Add(triangle, hn::Add(triangle, triangle));
-  HWY_ALIGN std::array<std::array<std::int32_t, 8>, 3> x, y;
+  const V raw = hn::Set(f, 256.0f), to_px = hn::Set(f, 1.0f / 256.0f);
+  hn::Vec<I> x[3], y[3];
   V inv_w[3];
   for (std::size_t v = 0; v < 3; ++v) {
-    const auto vertex = hn::GatherIndex(i, indices, hn::Add(at, hn::Set(i, static_cast<int>(v))));
-    hn::StoreU(hn::BitCast(u, vertex), u, p.vertex[v].data() + k);
-    const auto scale = hn::Set(f, 256.0f);
+    const auto vertex = hn::BitCast(i, hn::LoadU(u, p.vertex[v].data() + k));
     const auto snap = [&](std::span<const float> px) HWY_ATTR {
-      return hn::NearestInt(hn::Mul(hn::GatherIndex(f, px.data(), vertex), scale));
+      return hn::NearestInt(hn::Mul(hn::GatherIndex(f, px.data(), vertex), raw));
     };
-    hn::Store(snap(from.x_px), i, x[v].data());
-    hn::Store(snap(from.y_px), i, y[v].data());
+    x[v] = snap(from.x_px);
+    y[v] = snap(from.y_px);
     inv_w[v] = hn::GatherIndex(f, from.inv_w.data(), vertex);
   }
-  // Twice the area may need 50 bits. It is negative if counter-clockwise, since y runs down.
-  HWY_ALIGN std::array<float, 8> area;
-  for (std::size_t lane = 0; lane < hn::Lanes(f); ++lane) {
-    const std::int64_t x1 = x[1][lane] - x[0][lane], y1 = y[1][lane] - y[0][lane];
-    const std::int64_t x2 = x[2][lane] - x[0][lane], y2 = y[2][lane] - y[0][lane];
-    area[lane] = static_cast<float>(x1 * y2 - x2 * y1);
-  }
-  const auto side = [&](const std::array<std::array<std::int32_t, 8>, 3>& c,
-                        std::size_t v) HWY_ATTR {
-    return hn::ConvertTo(f, hn::Sub(hn::Load(i, c[v].data()), hn::Load(i, c[0].data())));
-  };
-  const V scale = hn::Div(hn::Set(f, 256.0f), hn::Load(f, area.data()));
-  const V b1x = hn::Mul(side(y, 2), scale), b1y = hn::Neg(hn::Mul(side(x, 2), scale));
-  const V b2x = hn::Neg(hn::Mul(side(y, 1), scale)), b2y = hn::Mul(side(x, 1), scale);
+  const auto x1 = hn::Sub(x[1], x[0]), y1 = hn::Sub(y[1], y[0]);
+  const auto x2 = hn::Sub(x[2], x[0]), y2 = hn::Sub(y[2], y[0]);
+  // Negative if counter-clockwise, since y runs down.
+  const V scale = hn::Div(raw, double_area(x1, y1, x2, y2));
+  const auto scaled = [&](hn::Vec<I> side)
+                          HWY_ATTR { return hn::Mul(hn::ConvertTo(f, side), scale); };
+  const V b1x = scaled(y2), b1y = hn::Neg(scaled(x2));
+  const V b2x = hn::Neg(scaled(y1)), b2y = scaled(x1);
   const V rise1 = hn::Sub(inv_w[1], inv_w[0]), rise2 = hn::Sub(inv_w[2], inv_w[0]);
-  const V to_px = hn::Set(f, 1.0f / 256.0f);
   const auto store = [&](V value, WeightPlanes::Runs<float>& to)
                          HWY_ATTR { hn::StoreU(value, f, to.data() + k); };
-  store(hn::Mul(hn::ConvertTo(f, hn::Load(i, x[0].data())), to_px), p.x_px);
-  store(hn::Mul(hn::ConvertTo(f, hn::Load(i, y[0].data())), to_px), p.y_px);
+  store(hn::Mul(hn::ConvertTo(f, x[0]), to_px), p.x_px);
+  store(hn::Mul(hn::ConvertTo(f, y[0]), to_px), p.y_px);
   store(inv_w[0], p.w0);
   store(hn::Mul(b1x, inv_w[1]), p.dx1);
   store(hn::Mul(b1y, inv_w[1]), p.dy1);
@@ -96,15 +110,16 @@ HWY_INLINE void transpose_rows(const DrawCall& call, std::size_t v, std::size_t 
   const std::size_t lanes = hn::Lanes(f);
   const auto count = static_cast<std::size_t>(call.attribute_count);
   const auto stride = static_cast<std::size_t>(call.attribute_stride);
-  const auto row = [&](std::size_t lane) {
-    return call.attributes.data() + p.vertex[v][k + lane] * stride;
-  };
+  const float* row[8];
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    row[lane] = call.attributes.data() + p.vertex[v][k + lane] * stride;
+  }
   WeightPlanes::Attributes& to = p.attribute[v];
   std::size_t a = 0;
 #if HWY_TARGET != HWY_SCALAR  // has no vectors of four
   const hn::RepartitionToWide<F> pairs;
   const auto load = [&](std::size_t j)
-                        HWY_ATTR { return load_fours(f, row(j) + a, row(j + lanes - 4) + a); };
+                        HWY_ATTR { return load_fours(f, row[j] + a, row[j + lanes - 4] + a); };
   const auto store = [&](auto value, std::size_t at)
                          HWY_ATTR { hn::Store(hn::BitCast(f, value), f, to[at].data() + k); };
   for (; a < count && a + 4 <= stride; a += 4) {
@@ -120,7 +135,7 @@ HWY_INLINE void transpose_rows(const DrawCall& call, std::size_t v, std::size_t 
   }
 #endif
   for (; a < count; ++a) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) to[a][k + lane] = row(lane)[a];
+    for (std::size_t lane = 0; lane < lanes; ++lane) to[a][k + lane] = row[lane][a];
   }
 }
 
@@ -279,6 +294,30 @@ HWY_INLINE void interpolate_all(const DrawCall& call, std::size_t size, bool joi
   }
 }
 
+/// Looks up the runs' vertices, and asks for what will be read of them: where triangles are tiny,
+/// waiting for memory would be the greatest part of the cost.
+HWY_INLINE void find_vertices(const DrawCall& call, std::size_t runs, WeightPlanes& p) {
+  constexpr std::size_t kAhead = 16;
+  const DeviceVertices& from = call.vertices;
+  const auto stride = static_cast<std::size_t>(call.attribute_stride);
+  const auto corners = [&](std::size_t r) {
+    return call.indices.data() + std::size_t{3} * p.triangle[r];
+  };
+  for (std::size_t r = 0; r < std::min(runs, kAhead); ++r) hwy::Prefetch(corners(r));
+  for (std::size_t r = 0; r < runs; ++r) {
+    hwy::Prefetch(corners(std::min(r + kAhead, runs - 1)));
+    const std::uint32_t* const corner = corners(r);
+    for (std::size_t v = 0; v < 3; ++v) {
+      const std::size_t vertex = corner[v];
+      p.vertex[v][r] = corner[v];
+      hwy::Prefetch(from.x_px.data() + vertex);
+      hwy::Prefetch(from.y_px.data() + vertex);
+      hwy::Prefetch(from.inv_w.data() + vertex);
+      if (call.attribute_count > 0) hwy::Prefetch(call.attributes.data() + vertex * stride);
+    }
+  }
+}
+
 void Interpolate(const DrawCall& call, int size, BatchStorage& batch) {
   WeightPlanes& p = batch.planes;
   const auto end = static_cast<std::size_t>(size);
@@ -287,7 +326,10 @@ void Interpolate(const DrawCall& call, int size, BatchStorage& batch) {
   const bool joined = 2 * runs < end;
   if (joined) runs = join_runs(runs, p);
   // Whole vectors of triangles that exist.
-  for (std::size_t k = runs; k % lanes != 0; ++k) p.triangle[k] = p.triangle[0];
+  const std::size_t padded = (runs + lanes - 1) / lanes * lanes;
+  std::fill(p.triangle.begin() + static_cast<std::ptrdiff_t>(runs),
+            p.triangle.begin() + static_cast<std::ptrdiff_t>(padded), p.triangle[0]);
+  find_vertices(call, padded, p);
   for (std::size_t k = 0; k < runs; k += lanes) {
     set_planes(call, k, p);
     set_attributes(call, k, p);

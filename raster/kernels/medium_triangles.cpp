@@ -24,7 +24,7 @@ struct SetUp {
   alignas(32) Lanes<float> anchor_x, anchor_y, z, dz_dx, dz_dy, nearest, farthest;
 };
 
-HWY_INLINE void set_up(const MediumChunk& t, std::size_t k, const PixelRect& rect, SetUp& out) {
+HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, const PixelRect& rect, SetUp& out) {
   const F f;
   const I i;
   const Corners c = load_corners(t, k);
@@ -92,14 +92,14 @@ HWY_INLINE void draw_one(const SetUp& t, std::size_t k, std::uint32_t id, const 
 }
 
 template <int kSamples>
-HWY_INLINE void draw_all(const ChunkList<MediumChunk>& triangles,
+HWY_INLINE void draw_all(const ChunkList<TriangleChunk>& triangles,
                          std::span<const SampleOffset> pattern, TileBuffer& tile) {
   using Lanes = SampleLanes<kSamples>;
   const I i;
   const auto lanes = static_cast<std::size_t>(hn::Lanes(i));
   const LaneParts<kSamples> parts(pattern);
   SetUp group;
-  for (const MediumChunk* chunk = triangles.first; chunk != nullptr; chunk = chunk->next) {
+  for (const TriangleChunk* chunk = triangles.first; chunk != nullptr; chunk = chunk->next) {
     const auto size = static_cast<std::size_t>(chunk->size);
     for (std::size_t first = 0; first < size; first += lanes) {
       set_up(*chunk, first, tile.rect, group);
@@ -116,7 +116,7 @@ HWY_INLINE void draw_all(const ChunkList<MediumChunk>& triangles,
   }
 }
 
-void DrawMediumTriangles(const ChunkList<MediumChunk>& triangles,
+void DrawMediumTriangles(const ChunkList<TriangleChunk>& triangles,
                          std::span<const SampleOffset> pattern, TileBuffer& tile) {
   switch (pattern.size()) {
     case 1:
@@ -136,7 +136,7 @@ namespace kinescope {
 
 HWY_EXPORT(DrawMediumTriangles);
 
-void draw_medium_triangles(const ChunkList<MediumChunk>& triangles,
+void draw_medium_triangles(const ChunkList<TriangleChunk>& triangles,
                            std::span<const SampleOffset> pattern, TileBuffer& tile) {
   if (triangles.first == nullptr) return;
   HWY_DYNAMIC_DISPATCH(DrawMediumTriangles)(triangles, pattern, tile);

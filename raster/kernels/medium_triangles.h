@@ -10,7 +10,7 @@
 namespace kinescope {
 
 /// Visibility of the triangles' samples in the tile, and beyond the target's right edge too.
-void draw_medium_triangles(const ChunkList<MediumChunk>& triangles,
+void draw_medium_triangles(const ChunkList<TriangleChunk>& triangles,
                            std::span<const SampleOffset> pattern, TileBuffer& tile);
 
 }  // namespace kinescope

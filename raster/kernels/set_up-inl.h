@@ -27,7 +27,7 @@ struct Corners {
   VI x[3], y[3];
 };
 
-/// From structure of arrays, as CulledTriangles::Snapped and MediumChunk hold them.
+/// From structure of arrays, as TriangleChunk holds them.
 template <class Triangles>
 HWY_INLINE Corners load_corners(const Triangles& t, std::size_t k) {
   const I i;

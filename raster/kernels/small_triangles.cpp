@@ -9,8 +9,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/merge_fragments-inl.h"
 #include "raster/kernels/pack-inl.h"
-#include "raster/kernels/set_up-inl.h"
+#include "raster/kernels/tile_blocks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
@@ -21,10 +22,11 @@ struct Group {
   DepthPlanes depth;
   VU id;
   int columns, rows;  // of the largest box
+  PixelRect box;      // of all
 };
 
-HWY_INLINE Group set_up(const CulledTriangles::Snapped& t, std::size_t k, std::uint32_t first_id,
-                        const SampleLimits& limits) {
+/// Triangles [k, k + lanes).
+HWY_INLINE Group set_up(const TriangleChunk& t, std::size_t k, const SampleLimits& limits) {
   const I i;
   const U u;
   const Corners c = load_corners(t, k);
@@ -44,7 +46,10 @@ HWY_INLINE Group set_up(const CulledTriangles::Snapped& t, std::size_t k, std::u
   const VI corner_x = hn::ShiftLeft<8>(g.x), corner_y = hn::ShiftLeft<8>(g.y);
   for (int e = 0; e < 3; ++e) g.edge[e] = edge_at(c, e, corner_x, corner_y);
   g.depth = depth_planes(t, k, c);
-  g.id = hn::Add(hn::LoadU(u, t.triangle.data() + k), hn::Set(u, first_id));
+  g.id = hn::LoadU(u, t.id.data() + k);
+  const int x0 = hn::GetLane(hn::MinOfLanes(i, g.x)), y0 = hn::GetLane(hn::MinOfLanes(i, g.y));
+  g.box = {x0, y0, hn::GetLane(hn::MaxOfLanes(i, hn::Add(g.x, columns))) + 1,
+           hn::GetLane(hn::MaxOfLanes(i, hn::Add(g.y, rows))) + 1};
   return g;
 }
 
@@ -68,10 +73,10 @@ HWY_INLINE void edges_at(const Group& g, SampleOffset sample, VI (&out)[3]) {
   }
 }
 
-/// Calls sink(step) wherever a triangle of the group covers a sample.
-template <int kSamples, typename Sink>
+/// Calls sink(step) wherever a triangle of the group covers a sample of the tile.
+template <int kSamples, bool kWithin, typename Sink>
 HWY_INLINE void draw_group(const Group& g, std::span<const SampleOffset> pattern,
-                           const Sink& sink) {
+                           const PixelRect& tile, const Sink& sink) {
   const F f;
   const I i;
   const VI minus_one = hn::Set(i, -1), one = hn::Set(i, 1);
@@ -88,6 +93,8 @@ HWY_INLINE void draw_group(const Group& g, std::span<const SampleOffset> pattern
   step.y = g.y;
   for (int r = 0; r < g.rows; ++r) {
     const VF y = hn::ConvertTo(f, step.y);
+    const VI row_outside =
+        hn::Or(hn::Sub(step.y, hn::Set(i, tile.y0)), hn::Sub(hn::Set(i, tile.y1 - 1), step.y));
     for (std::size_t s = 0; s < kSamples; ++s) {
       const VF py = hn::Add(y, hn::Set(f, pattern[s].y.to_float()));
       row_z[s] = hn::Add(g.depth.z, hn::Mul(g.depth.dz_dy, hn::Sub(py, g.depth.y_px)));
@@ -102,6 +109,11 @@ HWY_INLINE void draw_group(const Group& g, std::span<const SampleOffset> pattern
         outside[s] = hn::Or(hn::Or(hn::Add(e0, first[s][0]), hn::Add(e1, first[s][1])),
                             hn::Add(e2, first[s][2]));
         everywhere = hn::And(everywhere, outside[s]);
+      }
+      if (!kWithin) {
+        const VI column_outside =
+            hn::Or(hn::Sub(step.x, hn::Set(i, tile.x0)), hn::Sub(hn::Set(i, tile.x1 - 1), step.x));
+        everywhere = hn::Or(everywhere, hn::Or(row_outside, column_outside));
       }
       step.covered = hn::Gt(everywhere, minus_one);
       if (!hn::AllFalse(i, step.covered)) {
@@ -125,159 +137,93 @@ HWY_INLINE void draw_group(const Group& g, std::span<const SampleOffset> pattern
   }
 }
 
-/// Appends the covered lanes to arrays of fragments, which have room for a whole vector.
-template <int kSamples, class Fragments>
-HWY_INLINE void append(const Step<kSamples>& step, const Packer<I>& pack, VI pixel, VU id,
-                       Fragments& to) {
-  const auto n = static_cast<std::size_t>(to.size);
-  pack.store(hn::BitCast(U(), pixel), to.pixel.data() + n);
-  pack.store(id, to.id.data() + n);
-  for (std::size_t s = 0; s < kSamples; ++s) pack.store(step.z[s], to.depth[s].data() + n);
-  to.size += static_cast<int>(pack.count());
+/// Appends the covered lanes, which are no more than there is room for.
+template <int kSamples>
+HWY_INLINE void append(const Step<kSamples>& step, const TileBuffer& tile, VU id,
+                       FragmentBuffer& to) {
+  const I i;
+  const Packer<I> pack(step.covered);
+  const VI base = hn::Set(i, -tile.rect.y0 * tile.stride - tile.rect.x0);
+  const VI pixel = hn::Add(hn::Add(hn::Mul(step.y, hn::Set(i, tile.stride)), step.x), base);
+  pack.store(hn::BitCast(U(), pixel), to.pixel.data() + to.size);
+  pack.store(id, to.id.data() + to.size);
+  for (std::size_t s = 0; s < kSamples; ++s) pack.store(step.z[s], to.depth[s].data() + to.size);
+  to.size += pack.count();
 }
 
-/// Where a worker puts fragments of pixels with that many samples.
-template <int kSamples>
-HWY_INLINE auto& lists_of(Bins& bins) {
-  if constexpr (kSamples == 1) {
-    return bins.fragments;
-  } else {
-    return bins.sampled;
-  }
-}
-template <int kSamples>
-HWY_INLINE auto& pool_of(Bins& bins) {
-  if constexpr (kSamples == 1) {
-    return bins.fragment_pool;
-  } else {
-    return bins.sampled_pool;
-  }
-}
-
-/// A group whose triangles all lie in one tile: whole vectors are appended, compressed.
-template <int kSamples>
+/// Those of a group that touch the tile.
+template <int kSamples, bool kWithin>
 HWY_INLINE void draw_in_tile(const Group& g, std::span<const SampleOffset> pattern,
-                             const TileGrid& grid, int tile, Bins& bins) {
-  const I i;
-  const int lanes = static_cast<int>(hn::Lanes(i));
-  const PixelRect rect = grid.rect(tile);
-  auto& list = lists_of<kSamples>(bins)[static_cast<std::size_t>(tile)];
-  auto* chunk = &list.tail(pool_of<kSamples>(bins), lanes);
-  const VI stride = hn::Set(i, grid.tile_width);
-  const VI base = hn::Set(i, -rect.y0 * grid.tile_width - rect.x0);
-  draw_group<kSamples>(g, pattern, [&](const Step<kSamples>& step) HWY_ATTR {
-    if (chunk->size + lanes > static_cast<int>(chunk->kCapacity)) {
-      chunk = &list.tail(pool_of<kSamples>(bins), lanes);
-    }
-    const Packer<I> pack(step.covered);
-    append(step, pack, hn::Add(hn::Add(hn::Mul(step.y, stride), step.x), base), g.id, *chunk);
+                             const LaneParts<kSamples>& parts, TileBuffer& tile,
+                             FragmentBuffer& buffer) {
+  const PixelRect& r = tile.rect;
+  const PixelRect box = {std::max(g.box.x0, r.x0), std::max(g.box.y0, r.y0),
+                         std::min(g.box.x1, r.x1), std::min(g.box.y1, r.y1)};
+  if (box.empty()) return;
+  store_blocks(blocks_touched(box, tile), parts, tile);
+  draw_group<kSamples, kWithin>(g, pattern, r, [&](const Step<kSamples>& step) HWY_ATTR {
+    append(step, tile, g.id, buffer);
+    if (buffer.size + 8 > FragmentBuffer::kCapacity) merge_fragments<kSamples>(buffer, tile);
   });
 }
 
-/// Fragments of several tiles, on their way to the bins.
-template <int kSamples>
-struct MixedFragments {
-  static constexpr int kCapacity = 1024;
-  alignas(64) std::array<std::uint32_t, kCapacity> tile, pixel, id;
-  alignas(64) std::array<std::array<float, kCapacity>, kSamples> depth;
-  int size = 0;
-};
-
-template <int kSamples>
-HWY_NOINLINE void sort_into_bins(MixedFragments<kSamples>& from, Bins& bins) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(from.size); ++i) {
-    auto& chunk = lists_of<kSamples>(bins)[from.tile[i]].tail(pool_of<kSamples>(bins));
-    const auto n = static_cast<std::size_t>(chunk.size++);
-    chunk.pixel[n] = from.pixel[i];
-    chunk.id[n] = from.id[i];
-    for (std::size_t s = 0; s < kSamples; ++s) chunk.depth[s][n] = from.depth[s][i];
-  }
-  from.size = 0;
-}
-
-/// A group across several tiles.
-template <int kSamples>
-HWY_INLINE void draw_across_tiles(const Group& g, std::span<const SampleOffset> pattern,
-                                  const TileGrid& grid, MixedFragments<kSamples>& out, Bins& bins) {
-  const F f;
-  const I i;
-  const U u;
-  const int lanes = static_cast<int>(hn::Lanes(i));
-  const VI tile_width = hn::Set(i, grid.tile_width), tile_height = hn::Set(i, grid.tile_height);
-  const VI columns = hn::Set(i, grid.columns);
-  const VF per_column = hn::Set(f, 1.0f / static_cast<float>(grid.tile_width));
-  const VF per_row = hn::Set(f, 1.0f / static_cast<float>(grid.tile_height));
-  // A pixel's centre is at least half a pixel from a tile's edge: more than the rounding.
-  const auto divide = [&](VI pixel, VF per) HWY_ATTR {
-    const VF centre = hn::Add(hn::ConvertTo(f, pixel), hn::Set(f, 0.5f));
-    return hn::ConvertTo(i, hn::Mul(centre, per));
-  };
-  draw_group<kSamples>(g, pattern, [&](const Step<kSamples>& step) HWY_ATTR {
-    const VI column = divide(step.x, per_column), row = divide(step.y, per_row);
-    const VI tile = hn::Add(hn::Mul(row, columns), column);
-    const VI in_x = hn::Sub(step.x, hn::Mul(column, tile_width));
-    const VI in_y = hn::Sub(step.y, hn::Mul(row, tile_height));
-    const Packer<I> pack(step.covered);
-    pack.store(hn::BitCast(u, tile), out.tile.data() + out.size);
-    append(step, pack, hn::Add(hn::Mul(in_y, tile_width), in_x), g.id, out);
-    if (out.size + lanes > out.kCapacity) sort_into_bins(out, bins);
-  });
-}
-
-/// The tile that holds all boxes of the group, or -1.
-HWY_INLINE int common_tile(const Group& g, const TileGrid& grid) {
-  const I i;
-  const int x0 = hn::GetLane(hn::MinOfLanes(i, g.x));
-  const int y0 = hn::GetLane(hn::MinOfLanes(i, g.y));
-  const int x1 = hn::GetLane(hn::MaxOfLanes(i, g.x)) + g.columns - 1;
-  const int y1 = hn::GetLane(hn::MaxOfLanes(i, g.y)) + g.rows - 1;
-  const int column = grid.column_of(x0), row = grid.row_of(y0);
-  const bool one = x1 < (column + 1) * grid.tile_width && y1 < (row + 1) * grid.tile_height;
-  return one ? row * grid.columns + column : -1;
-}
-
-template <int kSamples>
-HWY_INLINE void draw_all(CulledTriangles::Snapped& t, std::uint32_t first_id,
-                         std::span<const SampleOffset> pattern, const SampleLimits& limits,
-                         const TileGrid& grid, Bins& bins) {
-  const I i;
-  const auto lanes = static_cast<std::size_t>(hn::Lanes(i));
-  const auto size = static_cast<std::size_t>(t.size);
-  if (size == 0) return;
-  // The last vector is filled up with points: they cover nothing, and lie near the others.
-  const std::size_t padded = (size + lanes - 1) / lanes * lanes;
-  for (std::size_t k = size; k < padded; ++k) {
+/// Fills the chunk's last vector up with points: they cover nothing, and lie near the others.
+HWY_INLINE void pad(const TriangleChunk& from, std::size_t k, std::size_t lanes,
+                    TriangleChunk& to) {
+  const auto size = static_cast<std::size_t>(from.size);
+  for (std::size_t n = 0; n < lanes; ++n) {
+    const std::size_t i = std::min(k + n, size - 1);
     for (std::size_t v = 0; v < 3; ++v) {
-      t.x[v][k] = t.x[0][size - 1];
-      t.y[v][k] = t.y[0][size - 1];
-      t.z[v][k] = 0.0f;
+      const std::size_t corner = k + n < size ? v : 0;
+      to.x[v][n] = from.x[corner][i];
+      to.y[v][n] = from.y[corner][i];
+      to.z[v][n] = from.z[corner][i];
     }
-    t.triangle[k] = 0;
+    to.id[n] = from.id[i];
   }
-  MixedFragments<kSamples> mixed;
-  for (std::size_t k = 0; k < size; k += lanes) {
-    const Group g = set_up(t, k, first_id, limits);
-    if (g.columns <= 0 || g.rows <= 0) continue;
-    const int tile = common_tile(g, grid);
-    if (tile >= 0) {
-      draw_in_tile<kSamples>(g, pattern, grid, tile, bins);
-    } else {
-      draw_across_tiles<kSamples>(g, pattern, grid, mixed, bins);
-    }
-  }
-  sort_into_bins(mixed, bins);
 }
 
-void DrawSmallTriangles(CulledTriangles::Snapped& t, std::uint32_t first_id,
-                        std::span<const SampleOffset> pattern, const SampleLimits& limits,
-                        const TileGrid& grid, Bins& bins) {
+template <int kSamples, bool kWithin>
+HWY_INLINE void draw_all(const ChunkList<TriangleChunk>& triangles,
+                         std::span<const SampleOffset> pattern, TileBuffer& tile,
+                         FragmentBuffer& buffer) {
+  const std::size_t lanes = hn::Lanes(F());
+  const LaneParts<kSamples> parts(pattern);
+  const SampleLimits limits = sample_limits(pattern);
+  TriangleChunk last;
+  for (const TriangleChunk* chunk = triangles.first; chunk != nullptr; chunk = chunk->next) {
+    const auto size = static_cast<std::size_t>(chunk->size);
+    for (std::size_t k = 0; k < size; k += lanes) {
+      const bool whole = k + lanes <= size;
+      if (!whole) pad(*chunk, k, lanes, last);
+      const Group g = whole ? set_up(*chunk, k, limits) : set_up(last, 0, limits);
+      draw_in_tile<kSamples, kWithin>(g, pattern, parts, tile, buffer);
+    }
+  }
+  merge_fragments<kSamples>(buffer, tile);
+}
+
+template <int kSamples>
+HWY_INLINE void draw_list(const ChunkList<TriangleChunk>& triangles, bool across,
+                          std::span<const SampleOffset> pattern, TileBuffer& tile,
+                          FragmentBuffer& buffer) {
+  if (across) {
+    draw_all<kSamples, /*kWithin=*/false>(triangles, pattern, tile, buffer);
+  } else {
+    draw_all<kSamples, /*kWithin=*/true>(triangles, pattern, tile, buffer);
+  }
+}
+
+void DrawSmallTriangles(const ChunkList<TriangleChunk>& triangles, bool across,
+                        std::span<const SampleOffset> pattern, TileBuffer& tile,
+                        FragmentBuffer& buffer) {
   switch (pattern.size()) {
     case 1:
-      return draw_all<1>(t, first_id, pattern, limits, grid, bins);
+      return draw_list<1>(triangles, across, pattern, tile, buffer);
     case 4:
-      return draw_all<4>(t, first_id, pattern, limits, grid, bins);
+      return draw_list<4>(triangles, across, pattern, tile, buffer);
     default:
-      return draw_all<8>(t, first_id, pattern, limits, grid, bins);
+      return draw_list<8>(triangles, across, pattern, tile, buffer);
   }
 }
 
@@ -289,10 +235,11 @@ namespace kinescope {
 
 HWY_EXPORT(DrawSmallTriangles);
 
-void draw_small_triangles(CulledTriangles::Snapped& triangles, std::uint32_t first_id,
-                          std::span<const SampleOffset> pattern, const TileGrid& grid, Bins& bins) {
-  HWY_DYNAMIC_DISPATCH(DrawSmallTriangles)
-  (triangles, first_id, pattern, sample_limits(pattern), grid, bins);
+void draw_small_triangles(const ChunkList<TriangleChunk>& triangles, bool across,
+                          std::span<const SampleOffset> pattern, TileBuffer& tile,
+                          FragmentBuffer& buffer) {
+  if (triangles.first == nullptr) return;
+  HWY_DYNAMIC_DISPATCH(DrawSmallTriangles)(triangles, across, pattern, tile, buffer);
 }
 
 }  // namespace kinescope

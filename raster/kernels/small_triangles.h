@@ -1,19 +1,31 @@
-// Small triangles, SIMD across them, straight to fragments in the tiles' bins.
+// Small triangles in one tile, SIMD across them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "raster/bins.h"
-#include "raster/kernels/cull.h"
 #include "raster/sample_pattern.h"
+#include "raster/tile.h"
 
 namespace kinescope {
 
-/// Appends the fragments of all small triangles. Writes over the padding of `triangles`.
-/// @param first_id  id of the call's first triangle
-void draw_small_triangles(CulledTriangles::Snapped& triangles, std::uint32_t first_id,
-                          std::span<const SampleOffset> pattern, const TileGrid& grid, Bins& bins);
+/// Fragments of pixels of a tile, one a pixel and triangle, on their way to the depth test.
+struct FragmentBuffer {
+  static constexpr std::size_t kCapacity = 512;
+  alignas(64) std::array<std::uint32_t, kCapacity> pixel;  ///< row * tile_width + column
+  alignas(64) std::array<std::uint32_t, kCapacity> id;
+  /// Of each sample; if there are several, infinite where the triangle does not cover one.
+  alignas(64) std::array<std::array<float, kCapacity>, 8> depth;
+  std::size_t size = 0;
+};
+
+/// Visibility of the triangles' samples in the tile.
+/// @param across  whether they may touch other tiles too
+/// @param buffer  a worker's storage, empty before and after
+void draw_small_triangles(const ChunkList<TriangleChunk>& triangles, bool across,
+                          std::span<const SampleOffset> pattern, TileBuffer& tile,
+                          FragmentBuffer& buffer);
 
 }  // namespace kinescope
