@@ -66,12 +66,8 @@ DrawCall draw_call(FrameMesh& mesh, ShadingModel shading) {
     call.indices = std::span(mesh.world->mesh->indices).first(mesh.world->triangles() * 3);
   }
   call.attributes = rows.values;
-  // Texture coordinates that nobody reads are not interpolated either, where they come last.
-  constexpr bool kBothLast =
-      vertex_row::kTexcoord + 2 == vertex_row::kCount && lit_row::kTexcoord + 2 == lit_row::kCount;
-  static_assert(kBothLast && vertex_row::kCount == lit_row::kCount);
-  const bool unread = mesh.surface.texture == nullptr && rows.count == vertex_row::kCount;
-  call.attribute_count = unread ? rows.count - 2 : rows.count;
+  call.attribute_count = rows.count;
+  call.attributes_read = attributes_read(shading, mesh.surface);
   call.attribute_stride = rows.stride;
   if (mesh.surface.texture != nullptr) call.texcoord_attribute = vertex_row::kTexcoord;
   call.cull = cull_mode(mesh);

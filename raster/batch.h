@@ -22,7 +22,8 @@ struct Batch {
   /// 1 where the triangle's front is seen, -1 where its back is; null where culling leaves one
   /// side.
   const float* facing = nullptr;
-  /// Perspective-correct attributes at the pixel's centre, in the order of the vertex rows.
+  /// Perspective-correct attributes at the pixel's centre, in the order of the vertex rows; of
+  /// those that DrawCall::attributes_read names.
   std::array<const float*, kMaxAttributes> attribute{};
   /// Texture-coordinate gradients, a pixel to the right and a pixel down; null unless the draw call
   /// names its texture coordinates (DrawCall::texcoord_attribute).

@@ -34,6 +34,8 @@ struct DrawCall {
   std::span<const float> attributes;
   int attribute_count = 0;
   int attribute_stride = 0;
+  std::uint32_t attributes_read =
+      ~0u;                      ///< bits of those that the shader reads; others are left out
   int texcoord_attribute = -1;  ///< attribute index of u (v follows) that needs gradients, or -1
 
   CullMode cull = CullMode::kBack;

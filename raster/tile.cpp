@@ -19,9 +19,12 @@ void TileBuffer::begin(const TileGrid& grid, int tile, int sample_count) {
   stored = 0;
   shown.fill(nullptr);
   block_nearest.fill(std::numeric_limits<float>::infinity());
-  // Those that the tile does not have are never the farthest.
+  // Blocks beyond the target are never the farthest.
   block_farthest.fill(0.0f);
-  std::fill_n(block_farthest.begin(), block_columns * block_rows, 1.0f);
+  const int columns = (rect.x1 - rect.x0 + kBlock - 1) / kBlock;
+  for (int y = rect.y0, first = 0; y < rect.y1; y += kBlock, first += block_columns) {
+    std::fill_n(block_farthest.begin() + first, columns, 1.0f);
+  }
 }
 
 PixelRect TileBuffer::block_rect(int block) const {

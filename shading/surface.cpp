@@ -28,4 +28,23 @@ ShadeFunction shade_function(ShadingModel model) {
   return unlit_shader();
 }
 
+std::uint32_t attributes_read(ShadingModel model, const Surface& surface) {
+  const auto bits = [](int first, int count) { return ((1u << count) - 1) << first; };
+  static_assert(vertex_row::kTexcoord == lit_row::kTexcoord);
+  const std::uint32_t read = surface.texture != nullptr ? bits(vertex_row::kTexcoord, 2) : 0;
+  const std::uint32_t colour = surface.vertex_colours ? bits(vertex_row::kColour, 3) : 0;
+  switch (model) {
+    case ShadingModel::kFlat:
+      return read;
+    case ShadingModel::kGouraud:
+      return read | bits(lit_row::kBody, 3) | bits(lit_row::kHighlight, 3);
+    case ShadingModel::kPhong:
+    case ShadingModel::kBlinn:
+      return read | colour | bits(vertex_row::kPosition, 3) | bits(vertex_row::kNormal, 3);
+    case ShadingModel::kUnlit:
+      return read | colour;
+  }
+  return ~0u;
+}
+
 }  // namespace kinescope

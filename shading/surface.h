@@ -55,6 +55,9 @@ struct Surface {
 /// kGouraud, which lights vertices before any triangle is known, turns them to the eye.
 ShadeFunction shade_function(ShadingModel model);
 
+/// The attributes of a row that this shader reads, a bit each.
+std::uint32_t attributes_read(ShadingModel model, const Surface& surface);
+
 /// Gouraud's first half: vertex rows (stride as the surface says) to lit rows.
 void light_vertices(const Surface& surface, std::span<const float> rows, std::span<float> lit_rows);
 

@@ -103,6 +103,22 @@ HWY_INLINE hn::Vec<D> load_fours(D d, const float* low, const float* high) {
 }
 #endif
 
+/// The attributes that are interpolated, a bit each.
+HWY_INLINE std::uint32_t attributes_of(const DrawCall& call) {
+  return call.attributes_read & ((1u << call.attribute_count) - 1);
+}
+
+/// The same as a list.
+struct AttributeList {
+  explicit AttributeList(const DrawCall& call) {
+    for (std::uint32_t left = attributes_of(call); left != 0; left &= left - 1) {
+      index[count++] = static_cast<std::size_t>(std::countr_zero(left));
+    }
+  }
+  std::size_t count = 0;
+  std::array<std::size_t, Batch::kMaxAttributes> index;
+};
+
 /// One corner's rows of attributes of runs [k, k + lanes), turned into planes: to[a][k + lane].
 HWY_INLINE void transpose_rows(const DrawCall& call, std::size_t v, std::size_t k,
                                WeightPlanes& p) {
@@ -123,6 +139,7 @@ HWY_INLINE void transpose_rows(const DrawCall& call, std::size_t v, std::size_t 
   const auto store = [&](auto value, std::size_t at)
                          HWY_ATTR { hn::Store(hn::BitCast(f, value), f, to[at].data() + k); };
   for (; a < count && a + 4 <= stride; a += 4) {
+    if ((attributes_of(call) >> a & 15) == 0) continue;
     const auto r0 = load(0), r1 = load(1), r2 = load(2), r3 = load(3);
     const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(f, r0, r1));
     const auto low23 = hn::BitCast(pairs, hn::InterleaveLower(f, r2, r3));
@@ -140,10 +157,12 @@ HWY_INLINE void transpose_rows(const DrawCall& call, std::size_t v, std::size_t 
 }
 
 /// Attributes of runs [k, k + lanes) at the first corner, and their rise to the other two.
-HWY_INLINE void set_attributes(const DrawCall& call, std::size_t k, WeightPlanes& p) {
+HWY_INLINE void set_attributes(const DrawCall& call, const AttributeList& list, std::size_t k,
+                               WeightPlanes& p) {
   const F f;
   for (std::size_t v = 0; v < 3; ++v) transpose_rows(call, v, k, p);
-  for (std::size_t a = 0; a < static_cast<std::size_t>(call.attribute_count); ++a) {
+  for (std::size_t n = 0; n < list.count; ++n) {
+    const std::size_t a = list.index[n];
     const auto base = hn::Load(f, p.attribute[0][a].data() + k);
     for (std::size_t v = 1; v < 3; ++v) {
       float* const at = p.attribute[v][a].data() + k;
@@ -178,8 +197,8 @@ struct AnyRuns {
 /// Fragments [k, k + lanes).
 /// @param of  gives each fragment the value of its run
 template <class Of>
-HWY_NOINLINE void interpolate_vector(const DrawCall& call, std::size_t k, const Of& of,
-                                     BatchStorage& batch) {
+HWY_NOINLINE void interpolate_vector(const DrawCall& call, const AttributeList& list, std::size_t k,
+                                     const Of& of, BatchStorage& batch) {
   const F f;
   const I i;
   const U16 u16;
@@ -196,7 +215,8 @@ HWY_NOINLINE void interpolate_vector(const DrawCall& call, std::size_t k, const 
   const V raw2 = hn::MulAdd(dx, of(p.dx2), hn::Mul(dy, of(p.dy2)));
   const V w1 = hn::Min(hn::Max(hn::Mul(raw1, inverse), zero), one);
   const V w2 = hn::Min(hn::Max(hn::Mul(raw2, inverse), zero), hn::Sub(one, w1));
-  for (std::size_t a = 0; a < static_cast<std::size_t>(call.attribute_count); ++a) {
+  for (std::size_t n = 0; n < list.count; ++n) {
+    const std::size_t a = list.index[n];
     const V value = hn::MulAdd(w2, of(p.attribute[2][a]),
                                hn::MulAdd(w1, of(p.attribute[1][a]), of(p.attribute[0][a])));
     hn::Store(value, f, batch.attribute[a].data() + k);
@@ -261,8 +281,8 @@ HWY_INLINE std::size_t join_runs(std::size_t runs, WeightPlanes& p) {
 }
 
 /// All vectors of fragments, with the planes of their runs.
-HWY_INLINE void interpolate_all(const DrawCall& call, std::size_t size, bool joined,
-                                BatchStorage& batch) {
+HWY_INLINE void interpolate_all(const DrawCall& call, const AttributeList& list, std::size_t size,
+                                bool joined, BatchStorage& batch) {
   const I i;
   const U u;
   const hn::Rebind<std::uint8_t, F> u8;
@@ -272,13 +292,13 @@ HWY_INLINE void interpolate_all(const DrawCall& call, std::size_t size, bool joi
     const auto first = static_cast<std::size_t>(p.first_run[v]);
     const std::uint32_t ends = p.run_ends[v] & ((1u << (lanes - 1)) - 1);
     if (ends == 0) {
-      interpolate_vector(call, k,
+      interpolate_vector(call, list, k,
                          OneRun{joined ? static_cast<std::size_t>(p.joined[first]) : first}, batch);
       continue;
     }
     const auto within = hn::PromoteTo(u, hn::LoadU(u8, kBitsBefore[ends].data()));
     if (!joined) {
-      interpolate_vector(call, k, RunWindow{first, hn::IndicesFromVec(F(), within)}, batch);
+      interpolate_vector(call, list, k, RunWindow{first, hn::IndicesFromVec(F(), within)}, batch);
       continue;
     }
     const auto run =
@@ -287,9 +307,10 @@ HWY_INLINE void interpolate_all(const DrawCall& call, std::size_t size, bool joi
     const std::int32_t most = hn::GetLane(hn::MaxOfLanes(i, run));
     if (most - least < static_cast<std::int32_t>(lanes)) {
       const auto from_least = hn::IndicesFromVec(F(), hn::Sub(run, hn::Set(i, least)));
-      interpolate_vector(call, k, RunWindow{static_cast<std::size_t>(least), from_least}, batch);
+      interpolate_vector(call, list, k, RunWindow{static_cast<std::size_t>(least), from_least},
+                         batch);
     } else {
-      interpolate_vector(call, k, AnyRuns{run}, batch);
+      interpolate_vector(call, list, k, AnyRuns{run}, batch);
     }
   }
 }
@@ -298,6 +319,7 @@ HWY_INLINE void interpolate_all(const DrawCall& call, std::size_t size, bool joi
 /// waiting for memory would be the greatest part of the cost.
 HWY_INLINE void find_vertices(const DrawCall& call, std::size_t runs, WeightPlanes& p) {
   constexpr std::size_t kAhead = 16;
+  const std::uint32_t attributes = attributes_of(call);
   const DeviceVertices& from = call.vertices;
   const auto stride = static_cast<std::size_t>(call.attribute_stride);
   const auto corners = [&](std::size_t r) {
@@ -313,12 +335,14 @@ HWY_INLINE void find_vertices(const DrawCall& call, std::size_t runs, WeightPlan
       hwy::Prefetch(from.x_px.data() + vertex);
       hwy::Prefetch(from.y_px.data() + vertex);
       hwy::Prefetch(from.inv_w.data() + vertex);
-      if (call.attribute_count > 0) hwy::Prefetch(call.attributes.data() + vertex * stride);
+      if (attributes != 0) hwy::Prefetch(call.attributes.data() + vertex * stride);
     }
   }
 }
 
 void Interpolate(const DrawCall& call, int size, BatchStorage& batch) {
+  const AttributeList list(call);
+  if (list.count == 0 && call.cull != CullMode::kNone) return;
   WeightPlanes& p = batch.planes;
   const auto end = static_cast<std::size_t>(size);
   const std::size_t lanes = hn::Lanes(F());
@@ -332,9 +356,9 @@ void Interpolate(const DrawCall& call, int size, BatchStorage& batch) {
   find_vertices(call, padded, p);
   for (std::size_t k = 0; k < runs; k += lanes) {
     set_planes(call, k, p);
-    set_attributes(call, k, p);
+    set_attributes(call, list, k, p);
   }
-  interpolate_all(call, end, joined, batch);
+  interpolate_all(call, list, end, joined, batch);
 }
 
 void UnpackFragments(const std::uint32_t* id, const std::uint32_t* xy, std::uint32_t first_id,
