@@ -1,11 +1,20 @@
 #include "raster/path/exact_area.h"
 
+#include <bit>
+
 namespace kinescope {
 namespace {
 
 constexpr double kUnit = ExactArea::kWhole;
 
-std::int32_t whole(double area) { return static_cast<std::int32_t>(std::lrint(area)); }
+/// The nearest whole number, for values within +-2^50: what is added leaves it in the low bits.
+/// Without it a call of lrint() would be most of an edge's cost.
+std::int64_t nearest(double value) {
+  constexpr double kRound = 0x1.8p52;
+  return std::bit_cast<std::int64_t>(value + kRound) - std::bit_cast<std::int64_t>(kRound);
+}
+
+std::int32_t whole(double area) { return static_cast<std::int32_t>(nearest(area)); }
 
 void add(const ExactArea::Row& row, int cell, std::int32_t area) {
   row.cells[cell] += static_cast<std::uint32_t>(area);
@@ -42,7 +51,7 @@ void ExactArea::add_edge(glm::dvec2 from, glm::dvec2 to) {
   // Above and below the box an edge covers nothing in it; heights are whole from here on, so that
   // those of a closed contour add up to nothing in each row.
   const auto row_units = [this](double y) {
-    return std::lrint(std::clamp(y, 0.0, static_cast<double>(height_)) * kUnit);
+    return nearest(std::clamp(y, 0.0, static_cast<double>(height_)) * kUnit);
   };
   const std::int64_t begin = row_units(std::min(from.y, to.y));
   const std::int64_t end = row_units(std::max(from.y, to.y));
@@ -83,7 +92,7 @@ void ExactArea::add_in_row(double x0, double x1, std::int32_t height, const Row&
   }
   // Over several pixels, what is covered grows as a square, then in line, then as a square.
   const double per_pixel = height / (x1 - x0);
-  const int last = static_cast<int>(std::min<double>(std::ceil(x1), width_)) - 1;
+  const int last = static_cast<int>(std::min<double>(x1, width_ - 1));
   std::int32_t before = 0;
   for (int cell = first; cell <= last; ++cell) {
     const double enters = std::max(x0 - cell, 0.0), leaves = std::min(x1 - cell, 1.0);

@@ -52,7 +52,8 @@ class RowFiller {
   HWY_INLINE RowFiller(const Ink& ink, FillRule rule) : ink_(ink), rule_(rule) {}
 
   /// Takes the row's blocks that are marked; between them the winding stands still.
-  HWY_INLINE void fill(const ExactArea::Row& row, int width, Pixel* pixels) const {
+  /// @param room  pixels from the first to the end of the picture's row, at least `width`
+  HWY_INLINE void fill(const ExactArea::Row& row, int width, int room, Pixel* pixels) const {
     std::uint32_t winding = 0;
     int x = 0;
     for (std::size_t word = 0; word < row.mark_words; ++word) {
@@ -63,7 +64,7 @@ class RowFiller {
         const int begin = block * ExactArea::kBlock;
         if (winding != 0 && x < begin) fill_still(winding, x, begin, pixels);
         for (x = begin; x < begin + ExactArea::kBlock; x += kCoverLanes) {
-          winding = fill_lanes(winding, row.cells + x, x, width, pixels);
+          winding = fill_lanes(winding, row.cells + x, x, width, room, pixels);
         }
       }
     }
@@ -78,13 +79,17 @@ class RowFiller {
 
   /// @return the winding after the lanes' last
   HWY_INLINE std::uint32_t fill_lanes(std::uint32_t winding, std::uint32_t* cells, int x, int width,
-                                      Pixel* pixels) const {
+                                      int room, Pixel* pixels) const {
     const Windings u;
     const auto sum = hn::Add(running_sum(hn::Load(u, cells)), hn::Set(u, winding));
     hn::Store(hn::Zero(u), u, cells);
     const Cover coverage = coverage_of(sum, rule_);
     if (x + kCoverLanes <= width) {
       ink_.lay(coverage, pixels + x);
+    } else if (x + kCoverLanes <= room) {
+      const CoverTag f;
+      const auto inside = hn::Lt(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(width - x)));
+      ink_.lay(hn::IfThenElseZero(inside, coverage), pixels + x);
     } else if (x < width) {
       lay_part(ink_, coverage, pixels + x, width - x);
     }
@@ -100,7 +105,7 @@ HWY_INLINE void fill_rows(ExactArea& area, FillRule rule, const Ink& ink, int x,
                           Image<Pixel>& picture) {
   const RowFiller<Pixel> filler(ink, rule);
   for (int r = 0; r < area.height(); ++r) {
-    filler.fill(area.row(r), area.width(), picture.row(y + r) + x);
+    filler.fill(area.row(r), area.width(), picture.width() - x, picture.row(y + r) + x);
   }
 }
 

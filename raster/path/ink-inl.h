@@ -97,7 +97,6 @@ class InkLanes<Linear8> {
 
  private:
   using U = hn::RebindToUnsigned<CoverTag>;
-  using I = hn::RebindToSigned<CoverTag>;
   using U16 = hn::Repartition<std::uint16_t, U>;
   using I16 = hn::Repartition<std::int16_t, U>;
 
@@ -108,12 +107,13 @@ class InkLanes<Linear8> {
   HWY_INLINE hn::Vec<U> mixed(Cover coverage, hn::Vec<U> under) const {
     const CoverTag f;
     const U u;
-    const I i;
     const U16 u16;
     const I16 i16;
-    const auto scaled = hn::Add(hn::Mul(coverage, hn::Set(f, alpha_)), hn::Set(f, 0.5f));
-    const auto share32 = hn::BitCast(u, hn::ConvertTo(i, scaled));
-    const auto share = hn::BitCast(i16, hn::Or(share32, hn::ShiftLeft<16>(share32)));
+    const auto rounded =
+        hn::Add(hn::Mul(coverage, hn::Set(f, alpha_)), hn::Set(f, ink::Codes::kRound));
+    const auto bits = hn::BitCast(u, rounded);
+    const auto share =
+        hn::BitCast(i16, hn::Or(hn::And(bits, hn::Set(u, 0xffffu)), hn::ShiftLeft<16>(bits)));
     const auto even = hn::BitCast(i16, hn::And(under, hn::Set(u, 0x00ff00ffu)));
     const auto odd = hn::BitCast(i16, hn::ShiftRight<8>(hn::BitCast(u16, under)));
     const auto ink_even = hn::BitCast(i16, hn::Set(u, even_));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 
 #include "raster/colour/colour.h"
@@ -28,6 +29,8 @@ inline float unit(float value) { return value > 0 ? std::min(value, 1.0f) : 0.0f
 /// An ink for pixels of 8 bits: colour codes, and alpha as a factor to shares of 2^15.
 struct Codes {
   static constexpr float kOne = 32767;
+  /// Added to a share, rounds it to a whole number in the low bits.
+  static constexpr float kRound = 3 << 22;
   std::int32_t r, g, b, a;
   float alpha;
   Mixing mixing;
@@ -48,7 +51,8 @@ struct Codes {
 
 /// @param coverage in [0, 1]
 inline void lay(const Codes& ink, float coverage, Linear8& pixel) {
-  const auto share = static_cast<std::int32_t>(coverage * ink.alpha + 0.5f);
+  const float rounded = coverage * ink.alpha + Codes::kRound;
+  const auto share = static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(rounded) & 0xffff);
   const auto mixed = [&](std::uint8_t under, std::int32_t code) {
     const bool over = ink.mixing == Mixing::kOver;
     const std::int32_t change = over ? code - under : code;

@@ -6,6 +6,8 @@
 
 #include "raster/path/stroke_coverage.h"
 
+#include <hwy/cache_control.h>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/path/line_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -49,17 +51,19 @@ HWY_INLINE Cover unit(Cover c) {
 /// Edges of an outline within one row, ready for lanes.
 struct RowEdges {
   static constexpr std::size_t kCount = OutlineEdges::kCount;
-  alignas(32) std::array<double, kCount> left, right, middle;
-  alignas(16) std::array<float, kCount> weight, first, flat, rate, bend, inv_bend, start;
+  using D = hn::CappedTag<double, kCount>;
+  using F = hn::Rebind<float, D>;
+  static constexpr double kNowhere = 1e300;
 
-  /// edge_in_row() for all four. @return whether any is there
-  HWY_INLINE bool find(const OutlineEdges& edges, int y) {
-    const hn::CappedTag<double, kCount> d;
+  alignas(32) std::array<double, kCount> left, right, middle;
+  alignas(16) std::array<float, kCount> run, weight, first, flat, rate, bend, inv_bend, start;
+
+  /// edge_in_row() for all four; left and right of what is not there is nowhere.
+  HWY_INLINE void find(const OutlineEdges& edges, int y) {
+    const D d;
+    const F f;
     const auto row = hn::Set(d, static_cast<double>(y));
     const auto next = hn::Add(row, hn::Set(d, 1.0));
-    const auto half = hn::Set(d, 0.5);
-    alignas(32) std::array<double, kCount> height;
-    bool any = false;
     for (std::size_t i = 0; i < kCount; i += hn::Lanes(d)) {
       const auto top = hn::LoadU(d, edges.top.data() + i);
       const auto x = hn::LoadU(d, edges.x.data() + i);
@@ -68,38 +72,52 @@ struct RowEdges {
       const auto to = hn::Min(hn::LoadU(d, edges.bottom.data() + i), next);
       const auto x0 = hn::Add(x, hn::Mul(hn::Sub(from, top), slope));
       const auto x1 = hn::Add(x, hn::Mul(hn::Sub(to, top), slope));
-      hn::Store(hn::Min(x0, x1), d, left.data() + i);
-      hn::Store(hn::Max(x0, x1), d, right.data() + i);
-      hn::Store(hn::Mul(half, hn::Add(x0, x1)), d, middle.data() + i);
-      hn::Store(hn::Max(hn::Sub(to, from), hn::Zero(d)), d, height.data() + i);
+      const auto low = hn::Min(x0, x1), high = hn::Max(x0, x1);
+      const auto there = hn::Gt(to, from);
+      const auto height = hn::DemoteTo(f, hn::IfThenElseZero(there, hn::Sub(to, from)));
+      hn::Store(hn::IfThenElse(there, low, hn::Set(d, kNowhere)), d, left.data() + i);
+      hn::Store(hn::IfThenElse(there, high, hn::Set(d, -kNowhere)), d, right.data() + i);
+      hn::Store(hn::Mul(hn::Set(d, 0.5), hn::Add(x0, x1)), d, middle.data() + i);
+      hn::StoreU(hn::DemoteTo(f, hn::Sub(high, low)), f, run.data() + i);
+      hn::StoreU(hn::Mul(height, hn::LoadU(f, edges.sign.data() + i)), f, weight.data() + i);
     }
-    for (std::size_t i = 0; i < kCount; ++i) {
-      weight[i] = static_cast<float>(height[i]) * edges.sign[i];
-      any |= height[i] > 0;
-    }
-    return any;
+  }
+
+  HWY_INLINE double leftmost() const {
+    return std::min(std::min(left[0], left[1]), std::min(left[2], left[3]));
+  }
+  HWY_INLINE double rightmost() const {
+    return std::max(std::max(right[0], right[1]), std::max(right[2], right[3]));
   }
 
   /// Makes the ramps, and the distances from the middles to pixel x's.
   HWY_INLINE void set_ramps(int x) {
-    const hn::CappedTag<float, kCount> f;
-    alignas(16) std::array<float, kCount> run;
-    for (std::size_t i = 0; i < kCount; ++i) {
-      run[i] = static_cast<float>(right[i] - left[i]);
-      first[i] = static_cast<float>(x + 0.5 - middle[i]);
-    }
+    const D d;
+    const F f;
+    const auto pixel = hn::Set(d, x + 0.5);
     const auto one = hn::Set(f, 1.0f), half = hn::Set(f, 0.5f);
-    for (std::size_t i = 0; i < kCount; i += hn::Lanes(f)) {
-      const auto r = hn::Load(f, run.data() + i);
+    for (std::size_t i = 0; i < kCount; i += hn::Lanes(d)) {
+      const auto distance = hn::Sub(pixel, hn::Load(d, middle.data() + i));
+      const auto r = hn::LoadU(f, run.data() + i);
       const auto longer = hn::Max(r, one);
       const auto shorter = hn::Max(hn::Min(r, one), hn::Set(f, 1e-6f));
       const auto per_pixel = hn::Div(one, longer), inverse = hn::Div(one, shorter);
-      hn::Store(hn::Mul(half, hn::Sub(longer, shorter)), f, flat.data() + i);
-      hn::Store(per_pixel, f, rate.data() + i);
-      hn::Store(hn::Mul(hn::Mul(half, shorter), per_pixel), f, bend.data() + i);
-      hn::Store(inverse, f, inv_bend.data() + i);
-      hn::Store(hn::Mul(hn::Mul(half, hn::Add(longer, shorter)), inverse), f, start.data() + i);
+      const auto ends = hn::Mul(half, hn::Add(longer, shorter));
+      hn::StoreU(hn::DemoteTo(f, distance), f, first.data() + i);
+      hn::StoreU(hn::Mul(half, hn::Sub(longer, shorter)), f, flat.data() + i);
+      hn::StoreU(per_pixel, f, rate.data() + i);
+      hn::StoreU(hn::Mul(hn::Mul(half, shorter), per_pixel), f, bend.data() + i);
+      hn::StoreU(inverse, f, inv_bend.data() + i);
+      hn::StoreU(hn::Mul(ends, inverse), f, start.data() + i);
     }
+  }
+
+  /// What edge i adds to pixels that lie `step` right of the first.
+  HWY_INLINE Cover share(std::size_t i, Cover step) const {
+    const CoverTag f;
+    const RampLanes ramp(flat[i], rate[i], bend[i], inv_bend[i], start[i]);
+    const Cover right_of = ramp.at(hn::Add(hn::Set(f, first[i]), step));
+    return hn::Mul(hn::Set(f, weight[i]), hn::Add(hn::Set(f, 0.5f), right_of));
   }
 };
 
@@ -113,71 +131,86 @@ struct Rows {
   HWY_INLINE int x_end() const { return static_cast<int>(width); }
 };
 
-/// Lays `coverage(lanes' distance from pixel first)` on pixels [first, last).
+/// Lays `coverage(lanes' distance from pixel first)` on pixels [first, last) of a row. Lanes beyond
+/// `last` must not be covered.
 template <class Pixel, class Coverage>
-HWY_INLINE void lay_row(const InkLanes<Pixel>& ink, Pixel* pixels, int first, int last,
+HWY_INLINE void lay_row(const InkLanes<Pixel>& ink, Pixel* row, int width, int first, int last,
                         const Coverage& coverage) {
   const CoverTag f;
   const Cover lane = hn::Iota(f, 0.0f);
-  int x = first;
-  for (; x + kCoverLanes <= last; x += kCoverLanes) {
-    ink.lay(coverage(hn::Add(lane, hn::Set(f, static_cast<float>(x - first)))), pixels + x);
-  }
-  if (x < last) {
-    lay_part(ink, coverage(hn::Add(lane, hn::Set(f, static_cast<float>(x - first)))), pixels + x,
-             last - x);
+  for (int x = first; x < last; x += kCoverLanes) {
+    const Cover c = coverage(hn::Add(lane, hn::Set(f, static_cast<float>(x - first))));
+    if (x + kCoverLanes <= width) {
+      ink.lay(c, row + x);
+    } else {
+      lay_part(ink, c, row + x, width - x);
+    }
   }
 }
 
-/// A row with ends of the line in it: any number of edges.
-class EndRow {
+/// Lays what edges cover; beyond their last pixel the shares need not cancel to the last bit.
+template <class Pixel, class Coverage>
+HWY_INLINE void lay_edges(const InkLanes<Pixel>& ink, Pixel* row, int width, const PixelRange& x,
+                          const Coverage& coverage) {
+  const Cover count = hn::Set(CoverTag(), static_cast<float>(x.last - x.first));
+  lay_row(ink, row, width, x.first, x.last, [&](Cover step) {
+    return hn::IfThenElseZero(hn::Lt(step, count), unit(coverage(step)));
+  });
+}
+
+/// A row at one flat end of a line: both sides, and the edge with index kEnd.
+template <std::size_t kEnd, class Pixel>
+HWY_INLINE void draw_flat_end(const OutlineEdges& edges, int y, const InkLanes<Pixel>& ink,
+                              const Rows<Pixel>& rows) {
+  RowEdges row;
+  row.find(edges, y);
+  const PixelRange x(row.leftmost(), row.rightmost(), 0, rows.x_end());
+  row.set_ramps(x.first);
+  lay_edges(ink, rows.at(0, y), rows.x_end(), x, [&](Cover step) {
+    return hn::Add(hn::Add(row.share(0, step), row.share(1, step)), row.share(kEnd, step));
+  });
+}
+
+/// A row with any number of edges.
+class EdgesOfRow {
  public:
   template <class Pixel>
   HWY_INLINE void draw(const StrokeOutline& outline, int y, const InkLanes<Pixel>& ink,
                        const Rows<Pixel>& rows) {
-    double left = rows.x_end(), right = 0;
+    double left = RowEdges::kNowhere, right = -RowEdges::kNowhere;
     count_ = 0;
     for (const OutlineEdges& edges : outline.edges) {
       if (count_ == groups_.size()) groups_.emplace_back();
       RowEdges& group = groups_[count_];
-      if (!group.find(edges, y)) continue;
+      group.find(edges, y);
+      if (group.rightmost() == -RowEdges::kNowhere) continue;
       ++count_;
-      for (std::size_t i = 0; i < RowEdges::kCount; ++i) {
-        if (group.weight[i] == 0) continue;
-        left = std::min(left, group.left[i]);
-        right = std::max(right, group.right[i]);
-      }
+      left = std::min(left, group.leftmost());
+      right = std::max(right, group.rightmost());
     }
     const PixelRange x(left, right, 0, rows.x_end());
     for (std::size_t g = 0; g < count_; ++g) groups_[g].set_ramps(x.first);
-    lay_row(ink, rows.at(0, y), x.first, x.last, [&](Cover step) { return coverage(step); });
+    lay_edges(ink, rows.at(0, y), rows.x_end(), x, [&](Cover step) {
+      Cover sum = hn::Zero(CoverTag());
+      for (std::size_t g = 0; g < count_; ++g) {
+        for (std::size_t i = 0; i < RowEdges::kCount; ++i) {
+          sum = hn::Add(sum, groups_[g].share(i, step));
+        }
+      }
+      return sum;
+    });
   }
 
  private:
-  HWY_INLINE Cover coverage(Cover step) const {
-    const CoverTag f;
-    Cover sum = hn::Zero(f);
-    for (std::size_t g = 0; g < count_; ++g) {
-      const RowEdges& e = groups_[g];
-      for (std::size_t i = 0; i < RowEdges::kCount; ++i) {
-        const RampLanes ramp(e.flat[i], e.rate[i], e.bend[i], e.inv_bend[i], e.start[i]);
-        const Cover share =
-            hn::Add(hn::Set(f, 0.5f), ramp.at(hn::Add(hn::Set(f, e.first[i]), step)));
-        sum = hn::Add(sum, hn::Mul(hn::Set(f, e.weight[i]), share));
-      }
-    }
-    return unit(sum);
-  }
-
   std::vector<RowEdges> groups_;
   std::size_t count_ = 0;
 };
 
-/// Where the sides lie in several rows: the first pixel touched, and the distances to its middle
-/// from the middles of both.
+/// Where the sides lie in several rows: the first pixel touched and the one after the last, and the
+/// distances to the first one's middle from the middles of both.
 struct BodyRows {
   static constexpr int kCount = 4;
-  alignas(32) std::array<std::int32_t, kCount> first;
+  alignas(32) std::array<std::int32_t, kCount> first, last;
   alignas(32) std::array<float, kCount> from_left, from_right;
 
   HWY_INLINE void find(const StrokeOutline& o, int y, int x_end) {
@@ -185,17 +218,21 @@ struct BodyRows {
     const hn::Rebind<float, decltype(d)> f;
     const hn::Rebind<std::int32_t, decltype(d)> i32;
     const auto half = hn::Set(d, 0.5);
-    const double reach = 0.5 * std::abs(o.slope);
+    const auto reach = hn::Set(d, 0.5 * std::abs(o.slope));
+    const auto across = hn::Set(d, o.across), zero = hn::Zero(d);
+    const auto width = hn::Set(d, static_cast<double>(x_end));
+    const auto within = [&](auto x) { return hn::Min(hn::Max(x, zero), width); };
     for (std::size_t i = 0; i < kCount; i += hn::Lanes(d)) {
       const auto row = hn::Iota(d, static_cast<double>(y + static_cast<int>(i)));
       const auto down = hn::Sub(hn::Add(row, half), hn::Set(d, o.left_y));
       const auto middle = hn::Add(hn::Set(d, o.left_x), hn::Mul(hn::Set(d, o.slope), down));
-      const auto begin = hn::Floor(hn::Sub(middle, hn::Set(d, reach)));
-      const auto x = hn::Min(hn::Max(begin, hn::Zero(d)), hn::Set(d, x_end));
+      const auto x = within(hn::Floor(hn::Sub(middle, reach)));
+      const auto end = within(hn::Ceil(hn::Add(hn::Add(middle, across), reach)));
       const auto left = hn::Sub(hn::Add(x, half), middle);
       hn::StoreU(hn::DemoteTo(i32, x), i32, first.data() + i);
+      hn::StoreU(hn::DemoteTo(i32, end), i32, last.data() + i);
       hn::StoreU(hn::DemoteTo(f, left), f, from_left.data() + i);
-      hn::StoreU(hn::DemoteTo(f, hn::Sub(left, hn::Set(d, o.across))), f, from_right.data() + i);
+      hn::StoreU(hn::DemoteTo(f, hn::Sub(left, across)), f, from_right.data() + i);
     }
   }
 };
@@ -213,6 +250,7 @@ class Body {
     BodyRows at;
     for (int y = y_begin; y < y_end; y += BodyRows::kCount) {
       at.find(outline_, y, rows_.x_end());
+      prefetch_below(at, y, y_end);
       const int count = std::min(BodyRows::kCount, y_end - y);
       int row = 0;
 #if HWY_TARGET != HWY_SCALAR
@@ -229,13 +267,22 @@ class Body {
     return unit(hn::Sub(ramp_.at(from_left), ramp_.at(from_right)));
   }
 
+  HWY_INLINE void prefetch_below(const BodyRows& at, int y, int y_end) const {
+    constexpr int kAhead = 12;
+    if (y + kAhead + BodyRows::kCount > y_end) return;
+    const double aside = std::clamp<double>(kAhead * outline_.slope, -rows_.width, rows_.width);
+    for (std::size_t r = 0; r < BodyRows::kCount; ++r) {
+      const int x = at.first[r] + static_cast<int>(aside);
+      if (x >= 0 && x < rows_.x_end()) {
+        hwy::Prefetch(rows_.at(x, y + kAhead + static_cast<int>(r)));
+      }
+    }
+  }
+
   HWY_INLINE void draw_row(const BodyRows& at, int y, int row) const {
     const CoverTag f;
     const auto r = static_cast<std::size_t>(row);
-    const double middle = outline_.left_x + outline_.slope * (y + row + 0.5 - outline_.left_y);
-    const double reach = 0.5 * std::abs(outline_.slope);
-    const PixelRange x(middle - reach, middle + outline_.across + reach, 0, rows_.x_end());
-    lay_row(ink_, rows_.at(0, y + row), x.first, x.last, [&](Cover step) {
+    lay_row(ink_, rows_.at(0, y + row), rows_.x_end(), at.first[r], at.last[r], [&](Cover step) {
       return coverage(hn::Add(hn::Set(f, at.from_left[r]), step),
                       hn::Add(hn::Set(f, at.from_right[r]), step));
     });
@@ -268,22 +315,66 @@ class Body {
   const RampLanes ramp_;
 };
 
+/// Asks for the pixels along a line before it is drawn: lines lie anywhere, and a row of the
+/// picture is far from the next.
+template <class Pixel>
+HWY_INLINE void prefetch(const Segment& segment, const Rows<Pixel>& rows) {
+  glm::vec2 a = segment.from, b = segment.to;
+  if (a.y > b.y) std::swap(a, b);
+  // The limits come first, so that they also stand in for what is not a number.
+  const auto top = static_cast<float>(rows.y_begin), bottom = static_cast<float>(rows.y_end);
+  const int begin = static_cast<int>(std::min(bottom, std::max(top, a.y)));
+  constexpr int kRows = 16;
+  const int end =
+      std::min(begin + kRows, static_cast<int>(std::min(bottom, std::max(top, b.y + 1))));
+  const float slope = (b.x - a.x) / std::max(b.y - a.y, 1e-3f);
+  const auto most = static_cast<float>(rows.x_end() - 1);
+  for (int y = begin; y < end; ++y) {
+    const float x = a.x + slope * (static_cast<float>(y) - a.y);
+    hwy::Prefetch(rows.at(static_cast<int>(std::min(most, std::max(0.0f, x))), y));
+  }
+}
+
+template <class Pixel>
+HWY_INLINE void draw_line(const StrokeOutline& outline, const InkLanes<Pixel>& ink,
+                          const Rows<Pixel>& rows, EdgesOfRow& edges) {
+  const int begin = std::max(outline.y_begin, rows.y_begin);
+  const int end = std::min(outline.y_end, rows.y_end);
+  // With a body between them, each row at an end has one end's edge in it.
+  const bool flat = outline.edges.size() == 1 && outline.body_begin < outline.body_end;
+  if (!flat) {
+    for (int y = begin; y < std::min(end, outline.body_begin); ++y) {
+      edges.draw(outline, y, ink, rows);
+    }
+  } else {
+    for (int y = begin; y < std::min(end, outline.body_begin); ++y) {
+      draw_flat_end<2>(outline.edges[0], y, ink, rows);
+    }
+  }
+  const int body_begin = std::max(begin, outline.body_begin);
+  const int body_end = std::min(end, outline.body_end);
+  if (body_begin < body_end) Body<Pixel>(outline, ink, rows).draw(body_begin, body_end);
+  if (!flat) {
+    for (int y = std::max(begin, outline.body_end); y < end; ++y) {
+      edges.draw(outline, y, ink, rows);
+    }
+  } else {
+    for (int y = std::max(begin, outline.body_end); y < end; ++y) {
+      draw_flat_end<3>(outline.edges[0], y, ink, rows);
+    }
+  }
+}
+
 template <class Pixel>
 HWY_INLINE void draw_in_rows(std::span<const InkedLine> lines, std::span<const std::uint32_t> order,
                              const Stroke& stroke, Mixing mixing, const Rows<Pixel>& rows) {
   StrokeOutline outline;
-  EndRow end_row;
-  for (const std::uint32_t index : order) {
-    const InkedLine& line = lines[index];
+  EdgesOfRow edges;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i + 1 < order.size()) prefetch(lines[order[i + 1]].segment, rows);
+    const InkedLine& line = lines[order[i]];
     outline.set(line.segment, stroke);
-    const InkLanes<Pixel> ink(Ink{line.colour, mixing});
-    const int begin = std::max(outline.y_begin, rows.y_begin);
-    const int end = std::min(outline.y_end, rows.y_end);
-    const int body_begin = std::clamp(outline.body_begin, begin, std::max(begin, end));
-    const int body_end = std::clamp(outline.body_end, body_begin, std::max(body_begin, end));
-    for (int y = begin; y < std::min(body_begin, end); ++y) end_row.draw(outline, y, ink, rows);
-    if (body_begin < body_end) Body<Pixel>(outline, ink, rows).draw(body_begin, body_end);
-    for (int y = body_end; y < end; ++y) end_row.draw(outline, y, ink, rows);
+    draw_line(outline, InkLanes<Pixel>(Ink{line.colour, mixing}), rows, edges);
   }
 }
 

@@ -10,7 +10,40 @@ namespace {
 
 constexpr OutlineEdges kNoEdges{{}, {-1, -1, -1, -1}, {}, {}, {}};
 
-int row(double y) { return static_cast<int>(std::clamp(y, -0x1p30, 0x1p30)); }
+/// Puts an edge into a lane, given its slope.
+void put(OutlineEdges& edges, std::size_t lane, glm::dvec2 from, glm::dvec2 to, double slope) {
+  const bool down = to.y > from.y;
+  edges.top[lane] = std::min(from.y, to.y);
+  edges.bottom[lane] = std::max(from.y, to.y);
+  edges.x[lane] = down ? from.x : to.x;
+  edges.slope[lane] = slope;
+  edges.sign[lane] = down ? 1.0f : -1.0f;
+}
+
+/// Whole numbers next to y, within +-2^30; std::floor would be a call on older processors.
+int row_below(double y) {
+  const double within = std::clamp(y, -0x1p30, 0x1p30);
+  const int whole = static_cast<int>(within);
+  return whole - (within < whole);
+}
+int row_above(double y) { return -row_below(-y); }
+
+/// From a to b, b not higher than a. A direction within 1e-9 of an axis becomes that axis: so
+/// slopes stay within what corners, rounded, can bear; 10^5 pixels further that is 10^-4 pixel
+/// aside.
+glm::dvec2 direction(glm::dvec2 a, glm::dvec2& b, double length) {
+  if (length == 0) return {1, 0};
+  const glm::dvec2 along = (b - a) / length;
+  if (along.y < 1e-9) {
+    b.y = a.y;
+    return {along.x < 0 ? -1 : 1, 0};
+  }
+  if (std::abs(along.x) < 1e-9) {
+    b.x = a.x;
+    return {0, 1};
+  }
+  return along;
+}
 
 /// Chords in half a circle, so that none is further than 1/300 pixel from it.
 int chords(double radius) {
@@ -21,18 +54,9 @@ int chords(double radius) {
 }  // namespace
 
 void StrokeOutline::add_edge(glm::dvec2 from, glm::dvec2 to) {
-  const bool down = to.y > from.y;
-  if (!down) std::swap(from, to);
-  const std::size_t lane = count_ % OutlineEdges::kCount;
+  const std::size_t lane = count_++ % OutlineEdges::kCount;
   if (lane == 0) edges.push_back(kNoEdges);
-  OutlineEdges& group = edges.back();
-  const double height = to.y - from.y;
-  group.top[lane] = from.y;
-  group.bottom[lane] = to.y;
-  group.x[lane] = from.x;
-  group.slope[lane] = height > 0 ? (to.x - from.x) / height : 0;
-  group.sign[lane] = down ? 1.0f : -1.0f;
-  ++count_;
+  put(edges.back(), lane, from, to, from.y == to.y ? 0 : (to.x - from.x) / (to.y - from.y));
 }
 
 /// Chords from centre + start, turning against the clock as seen on the screen. Their corners lie
@@ -51,9 +75,28 @@ void StrokeOutline::add_half_disc(glm::dvec2 centre, glm::dvec2 start, double ra
   }
 }
 
-void StrokeOutline::set(const Segment& segment, const Stroke& stroke) {
-  edges.clear();
+/// The sides first, then the ends.
+void StrokeOutline::set_edges(glm::dvec2 a, glm::dvec2 b, glm::dvec2 along, glm::dvec2 to_left,
+                              Cap cap) {
+  edges.resize(1);
   count_ = 0;
+  slope = along.y > 0 ? along.x / along.y : 0;
+  put(edges[0], 0, a + to_left, b + to_left, slope);
+  put(edges[0], 1, b - to_left, a - to_left, slope);
+  if (cap == Cap::kRound) {
+    edges[0].bottom[2] = edges[0].bottom[3] = -1;
+    edges[0].top[2] = edges[0].top[3] = 0;
+    const double radius = glm::length(to_left);
+    add_half_disc(a, -to_left, radius);
+    add_half_disc(b, to_left, radius);
+  } else {
+    const double end_slope = along.x != 0 ? -along.y / along.x : 0;
+    put(edges[0], 2, a - to_left, a + to_left, end_slope);
+    put(edges[0], 3, b + to_left, b - to_left, end_slope);
+  }
+}
+
+void StrokeOutline::set(const Segment& segment, const Stroke& stroke) {
   y_begin = y_end = body_begin = body_end = 0;
   glm::dvec2 a = segment.from, b = segment.to;
   const double half = 0.5 * stroke.width_px;
@@ -61,34 +104,25 @@ void StrokeOutline::set(const Segment& segment, const Stroke& stroke) {
   if (a.y > b.y) std::swap(a, b);
   const double length = glm::length(b - a);
   if (length == 0 && stroke.cap == Cap::kButt) return;
-  const glm::dvec2 along = length > 0 ? (b - a) / length : glm::dvec2(1, 0);
+  const glm::dvec2 along = direction(a, b, length);
   if (stroke.cap == Cap::kSquare) {
     a -= along * half;
     b += along * half;
   }
   // Since it points down (or sideways), its left is the screen's left.
   const glm::dvec2 to_left = glm::dvec2(-along.y, along.x) * half;
-  add_edge(a + to_left, b + to_left);
-  add_edge(b - to_left, a - to_left);
-  if (stroke.cap == Cap::kRound) {
-    add_half_disc(a, -to_left, half);
-    add_half_disc(b, to_left, half);
-  } else {
-    add_edge(a - to_left, a + to_left);
-    add_edge(b + to_left, b - to_left);
-  }
+  set_edges(a, b, along, to_left, stroke.cap);
   const double reach = stroke.cap == Cap::kRound ? 1.01 * half : std::abs(to_left.y);
-  y_begin = row(std::floor(a.y - reach));
-  y_end = row(std::ceil(b.y + reach));
-  body_begin = std::max(y_begin, row(std::ceil(a.y + std::abs(to_left.y))));
-  body_end = row(std::floor(b.y - std::abs(to_left.y)));
+  y_begin = row_below(a.y - reach);
+  y_end = row_above(b.y + reach);
+  body_begin = std::max(y_begin, row_above(a.y + std::abs(to_left.y)));
+  body_end = row_below(b.y - std::abs(to_left.y));
   if (body_end <= body_begin) {
     body_begin = body_end = y_end;
     return;
   }
   left_x = a.x + to_left.x;
   left_y = a.y + to_left.y;
-  slope = edges[0].slope[0];
   across = 2 * half / along.y;
   ramp = Ramp(static_cast<float>(std::abs(slope)));
 }
