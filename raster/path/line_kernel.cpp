@@ -371,6 +371,9 @@ HWY_INLINE void draw_in_rows(std::span<const InkedLine> lines, std::span<const s
   StrokeOutline outline;
   EdgesOfRow edges;
   for (std::size_t i = 0; i < order.size(); ++i) {
+    // The lines of a band lie apart as well.
+    constexpr std::size_t kAhead = 6;
+    if (i + kAhead < order.size()) hwy::Prefetch(&lines[order[i + kAhead]]);
     if (i + 1 < order.size()) prefetch(lines[order[i + 1]].segment, rows);
     const InkedLine& line = lines[order[i]];
     outline.set(line.segment, stroke);

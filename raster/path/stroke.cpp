@@ -28,21 +28,11 @@ int row_below(double y) {
 }
 int row_above(double y) { return -row_below(-y); }
 
-/// From a to b, b not higher than a. A direction within 1e-9 of an axis becomes that axis: so
-/// slopes stay within what corners, rounded, can bear; 10^5 pixels further that is 10^-4 pixel
-/// aside.
-glm::dvec2 direction(glm::dvec2 a, glm::dvec2& b, double length) {
-  if (length == 0) return {1, 0};
-  const glm::dvec2 along = (b - a) / length;
-  if (along.y < 1e-9) {
-    b.y = a.y;
-    return {along.x < 0 ? -1 : 1, 0};
-  }
-  if (std::abs(along.x) < 1e-9) {
-    b.x = a.x;
-    return {0, 1};
-  }
-  return along;
+/// A direction within 1e-9 of an axis becomes that axis, and with it b: so slopes stay within what
+/// rounded corners can bear; 10^5 pixels further that is 10^-4 pixel aside.
+void snap_to_axis(glm::dvec2 a, glm::dvec2& b, double length) {
+  if (std::abs(b.y - a.y) < 1e-9 * length) b.y = a.y;
+  if (std::abs(b.x - a.x) < 1e-9 * length) b.x = a.x;
 }
 
 /// Chords in half a circle, so that none is further than 1/300 pixel from it.
@@ -75,12 +65,46 @@ void StrokeOutline::add_half_disc(glm::dvec2 centre, glm::dvec2 start, double ra
   }
 }
 
+void StrokeOutline::set(const Segment& segment, const Stroke& stroke) {
+  y_begin = y_end = body_begin = body_end = 0;
+  glm::dvec2 a = segment.from, b = segment.to;
+  const double half = 0.5 * stroke.width_px;
+  if (!std::isfinite(a.x + a.y + b.x + b.y + half) || !(half > 0)) return;
+  if (a.y > b.y) std::swap(a, b);
+  const double length = glm::length(b - a);
+  if (length == 0 && stroke.cap == Cap::kButt) return;
+  snap_to_axis(a, b, length);
+  const glm::dvec2 way = b - a;
+  const double inv_length = 1 / length, inv_down = 1 / way.y;
+  const glm::dvec2 along = length > 0 ? way * inv_length : glm::dvec2(1, 0);
+  slope = way.y > 0 ? way.x * inv_down : 0;
+  if (stroke.cap == Cap::kSquare) {
+    a -= along * half;
+    b += along * half;
+  }
+  // Since it points down (or sideways), its left is the screen's left.
+  const glm::dvec2 to_left = glm::dvec2(-along.y, along.x) * half;
+  set_edges(a, b, to_left, along.x != 0 ? -along.y / along.x : 0, stroke.cap);
+  const double rise = std::abs(to_left.y), reach = stroke.cap == Cap::kRound ? 1.01 * half : rise;
+  y_begin = row_below(a.y - reach);
+  y_end = row_above(b.y + reach);
+  body_begin = std::max(y_begin, row_above(a.y + rise));
+  body_end = row_below(b.y - rise);
+  if (body_end <= body_begin) {
+    body_begin = body_end = y_end;
+    return;
+  }
+  left_x = a.x + to_left.x;
+  left_y = a.y + to_left.y;
+  across = 2 * half * (length * inv_down);
+  ramp = Ramp(static_cast<float>(std::abs(slope)));
+}
+
 /// The sides first, then the ends.
-void StrokeOutline::set_edges(glm::dvec2 a, glm::dvec2 b, glm::dvec2 along, glm::dvec2 to_left,
+void StrokeOutline::set_edges(glm::dvec2 a, glm::dvec2 b, glm::dvec2 to_left, double end_slope,
                               Cap cap) {
   edges.resize(1);
   count_ = 0;
-  slope = along.y > 0 ? along.x / along.y : 0;
   put(edges[0], 0, a + to_left, b + to_left, slope);
   put(edges[0], 1, b - to_left, a - to_left, slope);
   if (cap == Cap::kRound) {
@@ -90,41 +114,9 @@ void StrokeOutline::set_edges(glm::dvec2 a, glm::dvec2 b, glm::dvec2 along, glm:
     add_half_disc(a, -to_left, radius);
     add_half_disc(b, to_left, radius);
   } else {
-    const double end_slope = along.x != 0 ? -along.y / along.x : 0;
     put(edges[0], 2, a - to_left, a + to_left, end_slope);
     put(edges[0], 3, b + to_left, b - to_left, end_slope);
   }
-}
-
-void StrokeOutline::set(const Segment& segment, const Stroke& stroke) {
-  y_begin = y_end = body_begin = body_end = 0;
-  glm::dvec2 a = segment.from, b = segment.to;
-  const double half = 0.5 * stroke.width_px;
-  if (!std::isfinite(a.x + a.y + b.x + b.y + half) || !(half > 0)) return;
-  if (a.y > b.y) std::swap(a, b);
-  const double length = glm::length(b - a);
-  if (length == 0 && stroke.cap == Cap::kButt) return;
-  const glm::dvec2 along = direction(a, b, length);
-  if (stroke.cap == Cap::kSquare) {
-    a -= along * half;
-    b += along * half;
-  }
-  // Since it points down (or sideways), its left is the screen's left.
-  const glm::dvec2 to_left = glm::dvec2(-along.y, along.x) * half;
-  set_edges(a, b, along, to_left, stroke.cap);
-  const double reach = stroke.cap == Cap::kRound ? 1.01 * half : std::abs(to_left.y);
-  y_begin = row_below(a.y - reach);
-  y_end = row_above(b.y + reach);
-  body_begin = std::max(y_begin, row_above(a.y + std::abs(to_left.y)));
-  body_end = row_below(b.y - std::abs(to_left.y));
-  if (body_end <= body_begin) {
-    body_begin = body_end = y_end;
-    return;
-  }
-  left_x = a.x + to_left.x;
-  left_y = a.y + to_left.y;
-  across = 2 * half / along.y;
-  ramp = Ramp(static_cast<float>(std::abs(slope)));
 }
 
 }  // namespace kinescope

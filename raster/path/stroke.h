@@ -49,7 +49,7 @@ struct StrokeOutline {
   Ramp ramp{0};                      ///< of both sides over a whole row
 
  private:
-  void set_edges(glm::dvec2 a, glm::dvec2 b, glm::dvec2 along, glm::dvec2 to_left, Cap cap);
+  void set_edges(glm::dvec2 a, glm::dvec2 b, glm::dvec2 to_left, double end_slope, Cap cap);
   void add_edge(glm::dvec2 from, glm::dvec2 to);
   void add_half_disc(glm::dvec2 centre, glm::dvec2 start, double radius);
 
