@@ -219,7 +219,8 @@ int run_all(int argc, char** argv) {
   app.add_flag("--json", options.json, "a list of figures instead of the table");
   CLI11_PARSE(app, argc, argv);
   if (!options.json) {
-    std::fprintf(stderr, "AGG 2.6.1, Cairo %s\n", CairoFills::version().c_str());
+    std::fprintf(stderr, "AGG %s (as pkg-config calls it), Cairo %s\n", KINESCOPE_AGG_VERSION,
+                 CairoFills::version().c_str());
   }
   if (options.svg.empty()) options.svg = tiger();
   if (options.svg.empty()) {
