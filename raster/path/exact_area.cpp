@@ -1,115 +1,120 @@
 #include "raster/path/exact_area.h"
 
-#include <algorithm>
-#include <array>
+#include <bit>
 
 namespace kinescope {
 namespace {
 
-float covered(float winding, FillRule rule) {
-  const float area = std::abs(winding);
-  if (rule == FillRule::kNonZero) return std::min(area, 1.0f);
-  const float rest = area - 2 * std::floor(area / 2);
-  return rest <= 1 ? rest : 2 - rest;
+constexpr double kUnit = ExactArea::kWhole;
+
+/// The nearest whole number, for values within +-2^50: what is added leaves it in the low bits.
+/// Without it a call of lrint() would be most of an edge's cost.
+std::int64_t nearest(double value) {
+  constexpr double kRound = 0x1.8p52;
+  return std::bit_cast<std::int64_t>(value + kRound) - std::bit_cast<std::int64_t>(kRound);
+}
+
+std::int32_t whole(double area) { return static_cast<std::int32_t>(nearest(area)); }
+
+void add(const ExactArea::Row& row, int cell, std::int32_t area) {
+  row.cells[cell] += static_cast<std::uint32_t>(area);
+}
+
+void mark(const ExactArea::Row& row, int first, int last) {
+  for (int block = first / ExactArea::kBlock; block <= last / ExactArea::kBlock; ++block) {
+    row.marks[block / 64] |= std::uint64_t{1} << (block % 64);
+  }
 }
 
 }  // namespace
 
-ExactArea::ExactArea(int width, int height)
-    : width_(width),
-      height_(height),
-      deltas_(static_cast<std::size_t>(width + 2) * static_cast<std::size_t>(height)) {
+// Rows are left empty by whoever takes them, so only growth needs zeros.
+void ExactArea::reset(int width, int height) {
   assert(width >= 0 && height >= 0);
+  width_ = width;
+  height_ = height;
+  row_blocks_ = static_cast<std::size_t>(width) / kBlock + 1;
+  row_words_ = (row_blocks_ + 63) / 64;
+  const std::size_t cells = row_blocks_ * kBlock * static_cast<std::size_t>(height);
+  const std::size_t words = row_words_ * static_cast<std::size_t>(height);
+  if (cells_.size() < cells) cells_.resize(cells);
+  if (marks_.size() < words) marks_.resize(words);
 }
 
-void ExactArea::add_edge(glm::vec2 from, glm::vec2 to) {
-  double x0 = from.x, y0 = from.y, x1 = to.x, y1 = to.y;
-  if (!std::isfinite(x0 + y0 + x1 + y1) || y0 == y1) return;
-  // Above and below the box an edge covers nothing in it.
-  const auto x_at = [=](double y) { return x0 + (x1 - x0) * ((y - y0) / (y1 - y0)); };
-  const double top = std::clamp(y0, 0.0, static_cast<double>(height_));
-  const double bottom = std::clamp(y1, 0.0, static_cast<double>(height_));
-  if (top == bottom) return;
-  const double left = top == y0 ? x0 : x_at(top), right = bottom == y1 ? x1 : x_at(bottom);
-  // Left of the box it covers whole rows, as an edge along x = 0 does; right of it, none, as an
-  // edge along x = width. So it is cut at both sides and the outer parts are moved there.
-  const double w = width_;
-  std::array<double, 4> cuts{0, 0, 0, 1};
-  int count = 1;
-  if (left != right) {
-    std::array<double, 2> sides{(0 - left) / (right - left), (w - left) / (right - left)};
-    if (sides[0] > sides[1]) std::swap(sides[0], sides[1]);
-    for (const double t : sides) {
-      if (t > 0 && t < 1) cuts[static_cast<std::size_t>(count++)] = t;
-    }
-  }
-  cuts[static_cast<std::size_t>(count)] = 1;
-  const auto x_of = [=](double t) { return std::clamp(left + (right - left) * t, 0.0, w); };
-  const auto y_of = [=](double t) { return t == 1 ? bottom : top + (bottom - top) * t; };
-  for (int i = 0; i < count; ++i) {
-    const double a = cuts[static_cast<std::size_t>(i)], b = cuts[static_cast<std::size_t>(i + 1)];
-    add_inside(x_of(a), y_of(a), x_of(b), y_of(b));
-  }
+ExactArea::Row ExactArea::row(int y) {
+  const auto r = static_cast<std::size_t>(y);
+  return {cells_.data() + r * row_blocks_ * kBlock, marks_.data() + r * row_words_, row_words_};
 }
 
-void ExactArea::add_inside(double x0, double y0, double x1, double y1) {
-  const double direction = y0 < y1 ? 1 : -1;
-  if (y0 > y1) {
-    std::swap(x0, x1);
-    std::swap(y0, y1);
-  }
-  if (y0 == y1) return;
-  const double slope = (x1 - x0) / (y1 - y0);
-  const double low = std::min(x0, x1), high = std::max(x0, x1);
-  double x = x0;
-  const int last = std::min(height_ - 1, static_cast<int>(std::ceil(y1)) - 1);
-  for (int y = static_cast<int>(y0); y <= last; ++y) {
-    const double begin = std::max(y0, static_cast<double>(y));
-    const double end = std::min(y1, static_cast<double>(y) + 1);
-    const double next = end == y1 ? x1 : std::clamp(x0 + slope * (end - y0), low, high);
-    float* row =
-        deltas_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_ + 2);
-    add_in_row(std::min(x, next), std::max(x, next), direction * (end - begin), row);
-    x = next;
-  }
-}
-
-// An edge within one row, from x0 to x1 >= x0 over the height |dy|: pixel i gains the part of dy
-// that is covered to the right of the edge, as the difference to the pixel before.
-void ExactArea::add_in_row(double x0, double x1, double dy, float* row) {
-  const int first = static_cast<int>(x0);
-  const auto add = [row](int cell, double area) { row[cell] += static_cast<float>(area); };
-  if (x1 <= first + 1) {
-    const double mean = (x0 + x1) / 2 - first;
-    add(first, dy * (1 - mean));
-    add(first + 1, dy * mean);
-    return;
-  }
-  // Over several pixels, the covered part of dy grows as a square, then in line, then as a square.
-  const double per_pixel = dy / (x1 - x0);
-  const auto sum_to = [=](double x) {  // the integral of what is covered, from x0 to x
-    const double run = std::min(x, x1) - x0;
-    return per_pixel * run * run / 2 + (x > x1 ? dy * (x - x1) : 0);
+void ExactArea::add_edge(glm::dvec2 from, glm::dvec2 to) {
+  if (!std::isfinite(from.x + from.y + to.x + to.y) || from.y == to.y) return;
+  // Above and below the box an edge covers nothing in it; heights are whole from here on, so that
+  // those of a closed contour add up to nothing in each row.
+  const auto row_units = [this](double y) {
+    return nearest(std::clamp(y, 0.0, static_cast<double>(height_)) * kUnit);
   };
-  double before = 0, integral = 0;
-  const int last = static_cast<int>(x1);
-  for (int cell = first; cell <= last; ++cell) {
-    const double next = sum_to(cell + 1);
-    add(cell, next - integral - before);
-    before = next - integral;
-    integral = next;
+  const std::int64_t begin = row_units(std::min(from.y, to.y));
+  const std::int64_t end = row_units(std::max(from.y, to.y));
+  // Right of the box it covers nothing either; left of it, whole rows.
+  if (begin == end || std::min(from.x, to.x) >= width_) return;
+  const double slope = (to.x - from.x) / (to.y - from.y);
+  const double low = std::min(from.x, to.x), high = std::max(from.x, to.x);
+  const auto x_at = [&](std::int64_t y) {
+    return std::clamp(from.x + slope * (static_cast<double>(y) / kUnit - from.y), low, high);
+  };
+  const int direction = from.y < to.y ? 1 : -1;
+  double x = x_at(begin);
+  for (std::int64_t y = begin; y < end;) {
+    const std::int64_t index = y / kWhole;
+    const std::int64_t next = std::min<std::int64_t>(end, (index + 1) * kWhole);
+    const double next_x = x_at(next);
+    add_in_row(std::min(x, next_x), std::max(x, next_x),
+               direction * static_cast<std::int32_t>(next - y), row(static_cast<int>(index)));
+    x = next_x;
+    y = next;
   }
-  add(last + 1, dy - before);
+}
+
+// An edge within one row, from x0 to x1 >= x0, over a height with its direction as sign: a pixel
+// gains the part of that height that lies right of the edge, as the difference to the pixel before.
+void ExactArea::add_in_row(double x0, double x1, std::int32_t height, const Row& row) {
+  if (x0 >= width_) return;
+  if (x1 <= 0) {
+    add(row, 0, height);
+    return mark(row, 0, 0);
+  }
+  const int first = static_cast<int>(std::max(x0, 0.0));
+  if (x0 >= 0 && x1 <= first + 1) {
+    const std::int32_t here = whole(height * (first + 1 - 0.5 * (x0 + x1)));
+    add(row, first, here);
+    add(row, first + 1, height - here);
+    return mark(row, first, first + 1);
+  }
+  // Over several pixels, what is covered grows as a square, then in line, then as a square.
+  const double per_pixel = height / (x1 - x0);
+  const int last = static_cast<int>(std::min<double>(x1, width_ - 1));
+  std::int32_t before = 0;
+  for (int cell = first; cell <= last; ++cell) {
+    const double enters = std::max(x0 - cell, 0.0), leaves = std::min(x1 - cell, 1.0);
+    // The mean of (x - x0) over the part crossed, then of x1 - x0 over the rest.
+    const double crossed = 0.5 * (leaves - enters) * (leaves + enters - 2 * (x0 - cell));
+    const std::int32_t here = whole(per_pixel * crossed + height * (1 - leaves));
+    add(row, cell, here - before);
+    before = here;
+  }
+  add(row, last + 1, height - before);
+  mark(row, first, last + 1);
 }
 
 void ExactArea::take_row(int y, FillRule rule, std::span<float> coverage) {
-  float* row = deltas_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_ + 2);
-  float winding = 0;
+  const Row taken = row(y);
+  std::uint32_t winding = 0;
   for (std::size_t x = 0; x < coverage.size(); ++x) {
-    winding += row[x];
-    coverage[x] = covered(winding, rule);
+    winding += taken.cells[x];
+    coverage[x] = static_cast<float>(covered(winding, rule)) / kWhole;
   }
-  std::fill(row, row + width_ + 2, 0.0f);
+  std::fill(taken.cells, taken.cells + row_blocks_ * kBlock, 0u);
+  std::fill(taken.marks, taken.marks + row_words_, std::uint64_t{0});
 }
 
 }  // namespace kinescope

@@ -1,0 +1,33 @@
+// Cairo's image surface as a peer.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "raster/image/image.h"
+#include "raster/path/path_painter.h"
+
+namespace kinescope::bench {
+
+enum class CairoQuality { kDefault, kBest };
+
+/// Fills paths on one thread (it has no more).
+class CairoFills {
+ public:
+  /// Paths must outlive the peer, which keeps copies in Cairo's own form.
+  CairoFills(std::span<const FilledPath> paths, float tolerance_px, CairoQuality quality, int width,
+             int height);
+  ~CairoFills();
+
+  void draw();
+  void clear();
+  Image<Linear8> picture() const;
+  static std::string version();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace kinescope::bench
