@@ -14,8 +14,8 @@
 namespace kinescope::bench {
 namespace {
 
-constexpr int kSteadyFrames = 9;
-constexpr int kChildren = 5;
+constexpr int kSteadyFrames = 5;
+constexpr int kChildren = 3;
 
 /// Draws frame after frame; `draw` returns milliseconds.
 template <typename Draw>

@@ -123,6 +123,7 @@ constexpr const char* kFragmentMixed = R"(
 out vec4 colour;
 void main() {
   uint mixed = (uint(gl_PrimitiveID) + 1u) * 2654435761u;
+  mixed = (mixed ^ mixed >> 16) * 0x85ebca6bu;
   colour = vec4(255u, mixed >> 24, mixed >> 16 & 255u, 255u) / 255.0;
 }
 )";

@@ -1,6 +1,7 @@
 #include "bench/triangle_pass.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/cut_triangles.h"
 #include "raster/base/error.h"
@@ -19,6 +20,23 @@ void shade(const Batch& batch, LinearRgba* out) {
   }
 }
 
+TrianglePass::Meeting meet_part(const SnappedTriangle& t, int x, int y) {
+  TrianglePass::Meeting meeting{true, 1, 1e9};
+  for (int i = 0; i < 3; ++i) {
+    const int j = i == 2 ? 0 : i + 1;
+    const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(j);
+    const std::int64_t e = t.edge(i, x * 256 + 128, y * 256 + 128);
+    meeting.covered &= e > 0 || (e == 0 && t.is_top_left(i));
+    const double length = std::hypot(t.x[to] - t.x[from], t.y[to] - t.y[from]);
+    if (length > 0) {
+      meeting.edge_256ths =
+          std::min(meeting.edge_256ths, std::abs(static_cast<double>(e)) / length);
+    }
+  }
+  meeting.depth = t.depth.at(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+  return meeting;
+}
+
 }  // namespace
 
 Linear8 colour_of_triangle(std::uint32_t triangle, TriangleColours colours) {
@@ -29,8 +47,10 @@ Linear8 colour_of_triangle(std::uint32_t triangle, TriangleColours colours) {
   if (colours == TriangleColours::kNumber) {
     return {byte(number, 0), byte(number, 8), byte(number, 16), 255};
   }
-  // The peer's shader does the same. Source: Fibonacci hashing, D. Knuth, TAOCP 3, section 6.4.
-  const std::uint32_t mixed = number * 2654435761u;
+  // The peer's shader does the same. Not linear, so that neighbours' numbers do not average to one
+  // between them. Source: the finaliser of A. Appleby's MurmurHash3, first half.
+  std::uint32_t mixed = number * 2654435761u;
+  mixed = (mixed ^ mixed >> 16) * 0x85ebca6bu;
   return {255, byte(mixed, 24), byte(mixed, 16), 255};
 }
 
@@ -91,13 +111,8 @@ TrianglePass::Meeting TrianglePass::meet(std::uint32_t triangle, int x, int y) c
     if (!set_up_triangle(call, static_cast<std::size_t>(part - call.source_triangle.begin()), t)) {
       continue;
     }
-    bool covered = true;
-    for (int i = 0; i < 3; ++i) {
-      const std::int64_t e = t.edge(i, x * 256 + 128, y * 256 + 128);
-      covered &= e > 0 || (e == 0 && t.is_top_left(i));
-    }
-    if (!covered) continue;
-    return {true, t.depth.at(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f)};
+    const Meeting meeting = meet_part(t, x, y);
+    if (meeting.covered || part + 1 == parts.second) return meeting;
   }
   return {};
 }

@@ -29,6 +29,7 @@ class TrianglePass {
   struct Meeting {
     bool covered = false;
     float depth = 1;
+    double edge_256ths = 0;  ///< how far the nearest edge's line is, in 256ths of a pixel
   };
   Meeting meet(std::uint32_t triangle, int x, int y) const;
 
