@@ -19,6 +19,7 @@ namespace {
 
 struct Options {
   std::string curve;
+  std::vector<int> samples{1, 4};
   int threads = 2, pairs = 3;
   bool json = false;
 };
@@ -62,11 +63,12 @@ Point measured(const Options& options, const Workload& workload, Point at) {
 
 /// Triangles with legs of 1 to 500 pixels.
 Points size_curve(const Options& options) {
+  constexpr int kMost = 200'000;
   Points points;
   for (const int leg : {1, 2, 3, 5, 7, 10, 14, 20, 30, 50, 100, 200, 500}) {
-    Workload workload = sweep_workload(leg);
+    Workload workload = sweep_workload(leg, kMost);
     workload.name = "sweep";
-    for (const int samples : {1, 4}) {
+    for (const int samples : options.samples) {
       points.push_back(measured(options, workload, {double(leg), 1920, 1080, samples}));
     }
   }
@@ -81,7 +83,7 @@ Points count_curve(const Options& options) {
     const int along = static_cast<int>(std::lround(wanted / (2 * around)));
     Workload workload = knot_workload({along, around, ShadingModel::kGouraud, false});
     workload.name = "knot";
-    for (const int samples : {1, 4}) {
+    for (const int samples : options.samples) {
       points.push_back(measured(options, workload, {2.0 * along * around, 1920, 1080, samples}));
     }
   }
@@ -94,7 +96,7 @@ Points pixels_curve(const Options& options) {
   Points points;
   for (const int height : {360, 540, 720, 1080, 1440, 2160, 4320}) {
     const int width = height * 16 / 9;
-    for (const int samples : {1, 4}) {
+    for (const int samples : options.samples) {
       points.push_back(
           measured(options, workload, {double(width) * height, width, height, samples}));
     }
@@ -145,6 +147,8 @@ int run(int argc, char** argv) {
   app.add_option("--curve", options.curve, "size, count, pixels, or threads (one point of it)")
       ->required()
       ->check(CLI::IsMember(curves));
+  app.add_option("--samples", options.samples, "samples a pixel: 1, 4")
+      ->check(CLI::IsMember({1, 4}));
   app.add_option("--threads", options.threads, "threads of each")->check(CLI::Range(1, 64));
   app.add_option("--pairs", options.pairs, "timed pairs of frames")->check(CLI::Range(1, 1000));
   app.add_flag("--json", options.json, "a list of figures instead of the table");
