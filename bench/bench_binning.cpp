@@ -4,8 +4,8 @@
 #include "bench/rates.h"
 #include "bench/triangle_field.h"
 #include "raster/binning.h"
+#include "raster/kernels/bin_triangles.h"
 #include "raster/kernels/cull.h"
-#include "raster/kernels/small_triangles.h"
 
 namespace kinescope::bench {
 namespace {
@@ -21,7 +21,7 @@ struct FrontEnd {
     cull_triangles(call, first, TriangleRange::kMaxCount, pattern, grid, *culled);
   }
   void bin(const DrawCall& call) {
-    draw_small_triangles(culled->small, 0, pattern, grid, bins);
+    bin_small_triangles(culled->small, 0, grid, bins);
     bin_medium_triangles(culled->medium, 0, grid, bins);
     SnappedTriangle triangle;
     for (int i = 0; i < culled->large_size; ++i) {
