@@ -12,8 +12,8 @@ struct ColdFigures {
 };
 
 /// What a child process does: draws knot-phong, and prints its first frame and the median of the
-/// later ones, in milliseconds. Ours counts making the renderer and its threads; the peer's buffers
-/// and shaders are made before.
+/// later ones, in milliseconds. The scene is ready; the first frame includes making what draws it:
+/// ours its threads and target, the peer its context, shaders and buffers.
 /// @param who "ours" or "peer"
 void run_cold_child(const PairOptions& options, const std::string& who, int samples);
 
