@@ -31,6 +31,7 @@ struct Point {
   std::string workload = {};
   RasterStats stats = {};
   double ours_ms = 0, peer_ms = 0;
+  double spread = 1;  ///< our slowest frame over our fastest: far from 1, the machine was busy
 };
 using Points = std::vector<Point>;
 
@@ -58,6 +59,8 @@ Point measured(const Options& options, const Workload& workload, Point at) {
   at.workload = workload.name;
   at.ours_ms = median(ours_ms);
   at.peer_ms = median(peer_ms);
+  const auto [fastest, slowest] = std::minmax_element(ours_ms.begin(), ours_ms.end());
+  at.spread = *slowest / *fastest;
   return at;
 }
 
@@ -119,10 +122,10 @@ void print_json(const Options& options, const Points& points) {
     fmt::print(
         "{}\n  {{\"curve\": \"{}\", \"workload\": \"{}\", \"x\": {}, \"samples\": {}, "
         "\"threads\": {}, \"pixels\": {}, \"triangles\": {}, \"drawn\": {}, \"fragments\": {}, "
-        "\"ours_ms\": {:.4f}, \"peer_ms\": {:.4f}}}",
+        "\"ours_ms\": {:.4f}, \"peer_ms\": {:.4f}, \"spread\": {:.3f}}}",
         separator, options.curve, p.workload, p.x, p.samples, options.threads,
         std::int64_t{p.width} * p.height, p.stats.triangles, p.stats.drawn, p.stats.fragments,
-        p.ours_ms, p.peer_ms);
+        p.ours_ms, p.peer_ms, p.spread);
     separator = ",";
   }
   fmt::print("\n]\n");
