@@ -1,146 +1,130 @@
 // Our rasterizer and its peers on the same pictures, interleaved in one process.
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
-#include <memory>
 
-#include <fmt/format.h>
-
+#include "bench/cold.h"
 #include "bench/peer_llvmpipe.h"
-#include "bench/statistics.h"
-#include "bench/workloads.h"
-#include "engine/renderer.h"
+#include "bench/peer_report.h"
+#include "bench/peer_rows.h"
 #include "raster/base/error.h"
-#include "raster/base/simd.h"
-#include "raster/image/codecs.h"
 
 namespace kinescope::bench {
 namespace {
 
+/// Rows that are no Workload: they need a new process, or no scene.
+constexpr const char *kCold = "cold", *kDepthOnly = "depth-10";
+
 struct Options {
+  PairOptions pair;
   std::vector<std::string> workloads, models;
-  std::vector<int> samples{1, 4};
-  int threads = 2;
-  int pairs = 9;
-  int width = 1920, height = 1080;
-  bool json = false;
-  std::string pictures;
+  std::vector<int> samples{1, 4, 8};
+  bool json = false, own_cost = false, scaling = false;
+  std::string cold_child;
 };
 
-struct Row {
-  std::string workload;
-  int samples, threads;
-  double ours_ms, peer_ms, ratio;  // ratio: median of the pairs' ratios
-  PictureDifference difference;
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--workload", options.workloads,
+                 "workloads by name; cold, depth-10; all if none is given");
+  app.add_option("--model", options.models, "model files, drawn in one colour");
+  app.add_option("--samples", options.samples,
+                 "samples a pixel: 1, 4, 8 (of 8 ours alone: llvmpipe has no more than 4)")
+      ->check(CLI::IsMember({1, 4, 8}));
+  app.add_option("--threads", options.pair.threads, "threads of each")->check(CLI::Range(1, 64));
+  app.add_option("--pairs", options.pair.pairs, "timed pairs of frames")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--pictures", options.pair.pictures, "folder for both last frames as PNG");
+  CLI::Option* json =
+      app.add_flag("--json", options.json, "a list of figures instead of the table");
+  app.add_flag("--own-cost", options.own_cost,
+               "instead: our 4 samples against our 1, and our 8 against our 4")
+      ->excludes(json);
+  app.add_flag("--scaling", options.scaling, "instead: two threads of ours against one")
+      ->excludes(json);
+  app.add_option("--cold-child", options.cold_child)->group("");
+}
+
+/// Everything asked for, in its order.
+class Run {
+ public:
+  explicit Run(const Options& options) : options_(options) {}
+
+  void workload(const Workload& workload) {
+    if (options_.own_cost) {
+      add_lines(workload.name, measure_own_cost(options_.pair, workload), lines_);
+    } else if (options_.scaling) {
+      for (const int samples : options_.samples) {
+        add_two_threads_line(workload.name, samples,
+                             measure_two_threads(options_.pair, workload, samples), lines_);
+      }
+    } else {
+      for (const int samples : options_.samples) {
+        add(measure_pair(options_.pair, workload, samples));
+      }
+    }
+  }
+  void cold() {
+    if (options_.own_cost || options_.scaling) return;
+    for (const int samples : options_.samples) {
+      const ColdRow cold = measure_cold(options_.pair, samples);
+      add(cold.row);
+      add_lines(cold, lines_);
+    }
+  }
+  void depth_only() {
+    if (options_.own_cost || options_.scaling) return;
+    for (const int samples : options_.samples) {
+      add(measure_depth_only(options_.pair, samples));
+      add_depth_only_line(rows_.back(), lines_);
+    }
+  }
+  void print() const {
+    if (options_.json) return print_json(rows_);
+    if (!rows_.empty()) print_table(rows_);
+    print_own_lines(lines_);
+  }
+
+ private:
+  void add(const Row& row) {
+    rows_.push_back(row);
+    if (!options_.json && !row.peer_version.empty()) {
+      std::fprintf(stderr, "%s %dx: %s\n", row.workload.c_str(), row.samples,
+                   row.peer_version.c_str());
+    }
+  }
+
+  const Options& options_;
+  std::vector<Row> rows_;
+  std::vector<OwnLine> lines_;
 };
-
-/// Codes by which two rasterizers may round a colour apart before a pixel counts as different.
-constexpr int kTolerance = 4;
-
-void save(const Options& options, const std::string& name, const Image<Linear8>& picture) {
-  Image<Srgb8> stored(picture.width(), picture.height());
-  for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
-    const Linear8 p = picture.pixels()[i];
-    stored.pixels()[i] =
-        encode_srgb8(LinearRgb{static_cast<float>(p.r) / 255.0f, static_cast<float>(p.g) / 255.0f,
-                               static_cast<float>(p.b) / 255.0f});
-  }
-  write_png(options.pictures + "/" + name + ".png", stored);
-}
-
-Row run(const Options& options, const Workload& workload, int samples) {
-  const std::string& name = workload.name;
-  Workers workers(options.threads);
-  Renderer renderer(workers);
-  RenderTarget target(options.width, options.height, samples, ColourFormat::kLinear8);
-  RenderSettings settings;
-  settings.shading = workload.shading;
-  LlvmpipePeer peer(workload, options.width, options.height, samples);
-  const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
-
-  const auto draw_ours = [&](const Camera& camera) {
-    const auto start = std::chrono::steady_clock::now();
-    renderer.render(workload.scene, camera, settings, target);
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
-  };
-  std::vector<double> ours, theirs, ratios;
-  constexpr int kWarmUp = 2;
-  for (int frame = 0; frame < options.pairs + kWarmUp; ++frame) {
-    const Camera camera = workload.camera(frame, aspect);
-    const double our_ms = draw_ours(camera);
-    const double peer_ms = peer.draw(camera);
-    if (frame < kWarmUp) continue;
-    ours.push_back(our_ms);
-    theirs.push_back(peer_ms);
-    ratios.push_back(peer_ms / our_ms);
-  }
-  const Image<Linear8>& our_picture = std::get<Image<Linear8>>(target.colour);
-  const Image<Linear8> peer_picture = peer.picture();
-  if (!options.pictures.empty()) {
-    save(options, fmt::format("{}-{}x-ours", name, samples), our_picture);
-    save(options, fmt::format("{}-{}x-llvmpipe", name, samples), peer_picture);
-  }
-  if (!options.json)
-    std::fprintf(stderr, "%s %dx: %s\n", name.c_str(), samples, peer.version().c_str());
-  return {name,
-          samples,
-          options.threads,
-          median(ours),
-          median(theirs),
-          median(ratios),
-          compare(our_picture, peer_picture, kTolerance)};
-}
-
-void print_table(const std::vector<Row>& rows) {
-  fmt::print("{:<20}{:>8}{:>8}{:>10}{:>10}{:>8}{:>10}{:>8}\n", "workload", "samples", "threads",
-             "ours ms", "peer ms", "ratio", "pixels", "psnr");
-  for (const Row& r : rows) {
-    fmt::print("{:<20}{:>8}{:>8}{:>10.2f}{:>10.2f}{:>8.2f}{:>10}{:>8.1f}\n", r.workload, r.samples,
-               r.threads, r.ours_ms, r.peer_ms, r.ratio, r.difference.pixels_differing,
-               r.difference.psnr_db);
-  }
-}
-
-void print_json(const std::vector<Row>& rows) {
-  fmt::print("[");
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row& r = rows[i];
-    // JSON has no infinity: equal pictures give null.
-    const std::string psnr =
-        std::isfinite(r.difference.psnr_db) ? fmt::format("{:.3f}", r.difference.psnr_db) : "null";
-    fmt::print(
-        "{}\n  {{\"workload\": \"{}\", \"samples\": {}, \"threads\": {}, \"ours_ms\": {:.3f}, "
-        "\"peer_ms\": {:.3f}, \"ratio\": {:.3f}, \"pixels_differing\": {}, \"psnr_db\": {}}}",
-        i ? "," : "", r.workload, r.samples, r.threads, r.ours_ms, r.peer_ms, r.ratio,
-        r.difference.pixels_differing, psnr);
-  }
-  fmt::print("\n]\n");
-}
 
 int run_all(int argc, char** argv) {
   Options options;
   CLI::App app(
       "Kinescope's rasterizer beside Mesa's llvmpipe: same pictures, interleaved, medians.");
-  app.add_option("--workload", options.workloads, "workloads by name; all if none is given");
-  app.add_option("--model", options.models, "model files, drawn in one colour");
-  app.add_option("--samples", options.samples, "samples a pixel: 1, 4 (llvmpipe has no more)")
-      ->check(CLI::IsMember({1, 4}));
-  app.add_option("--threads", options.threads, "threads of each")->check(CLI::Range(1, 64));
-  app.add_option("--pairs", options.pairs, "timed pairs of frames")->check(CLI::Range(1, 1000));
-  app.add_option("--pictures", options.pictures, "folder for both last frames as PNG");
-  app.add_flag("--json", options.json, "a list of figures instead of the table");
+  add_options(app, options);
   CLI11_PARSE(app, argc, argv);
-  if (options.workloads.empty() && options.models.empty()) options.workloads = workload_names();
-  LlvmpipePeer::set_threads(options.threads);
-  std::vector<Row> rows;
-  const auto run_samples = [&](const Workload& workload) {
-    for (const int samples : options.samples) rows.push_back(run(options, workload, samples));
-  };
-  for (const std::string& name : options.workloads) run_samples(make_workload(name));
-  for (const std::string& path : options.models) run_samples(model_workload(path));
-  options.json ? print_json(rows) : print_table(rows);
+  LlvmpipePeer::set_threads(options.pair.threads);
+  if (!options.cold_child.empty()) {
+    run_cold_child(options.pair, options.cold_child, options.samples.front());
+    return 0;
+  }
+  if (options.workloads.empty() && options.models.empty()) {
+    options.workloads = workload_names();
+    options.workloads.insert(options.workloads.end(), {kCold, kDepthOnly});
+  }
+  Run run(options);
+  for (const std::string& name : options.workloads) {
+    if (name == kCold) {
+      run.cold();
+    } else if (name == kDepthOnly) {
+      run.depth_only();
+    } else {
+      run.workload(make_workload(name));
+    }
+  }
+  for (const std::string& path : options.models) run.workload(model_workload(path));
+  run.print();
   return 0;
 }
 

@@ -111,11 +111,30 @@ void main() {
 }
 )";
 
+constexpr const char* kFragmentNumber = R"(
+out vec4 colour;
+void main() {
+  uint number = uint(gl_PrimitiveID) + 1u;
+  colour = vec4(number & 255u, number >> 8 & 255u, number >> 16 & 255u, 255u) / 255.0;
+}
+)";
+
+constexpr const char* kFragmentMixed = R"(
+out vec4 colour;
+void main() {
+  uint mixed = (uint(gl_PrimitiveID) + 1u) * 2654435761u;
+  mixed = (mixed ^ mixed >> 16) * 0x85ebca6bu;
+  colour = vec4(255u, mixed >> 24, mixed >> 16 & 255u, 255u) / 255.0;
+}
+)";
+
 struct Sources {
   const char* vertex;
   const char* fragment;
 };
-Sources sources_of(ShadingModel shading) {
+Sources sources_of(ShadingModel shading, std::optional<TriangleColours> triangles) {
+  if (triangles == TriangleColours::kNumber) return {kVertexPhong, kFragmentNumber};
+  if (triangles == TriangleColours::kMixed) return {kVertexPhong, kFragmentMixed};
   if (shading == ShadingModel::kGouraud) return {kVertexGouraud, kFragmentGouraud};
   if (shading == ShadingModel::kUnlit) return {kVertexUnlit, kFragmentUnlit};
   return {kVertexPhong, kFragmentPhong};
@@ -140,10 +159,9 @@ GLuint compile(GLenum kind, const std::string& source) {
   return shader;
 }
 
-GLuint link(ShadingModel shading, bool textured) {
+GLuint link(const Sources& sources, bool textured) {
   std::string head = kHead;
   if (textured) head.insert(head.find('\n') + 1, "#define TEXTURED\n");
-  const Sources sources = sources_of(shading);
   const GLuint program = glCreateProgram();
   glAttachShader(program, compile(GL_VERTEX_SHADER, head + sources.vertex));
   glAttachShader(program, compile(GL_FRAGMENT_SHADER, head + sources.fragment));
@@ -286,7 +304,8 @@ void LlvmpipePeer::set_threads(int threads) {
   setenv("GALLIUM_DRIVER", "llvmpipe", 1);
 }
 
-LlvmpipePeer::LlvmpipePeer(const Workload& workload, int width, int height, int samples)
+LlvmpipePeer::LlvmpipePeer(const Workload& workload, int width, int height, int samples,
+                           std::optional<TriangleColours> triangles)
     : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.width = width;
@@ -295,7 +314,7 @@ LlvmpipePeer::LlvmpipePeer(const Workload& workload, int width, int height, int 
   s.resolved = make_frame_buffer(width, height, 1, samples == 1);
   s.target = samples > 1 ? make_frame_buffer(width, height, samples, true) : s.resolved;
   const bool textured = workload.scene.materials.at(0).base_texture >= 0;
-  s.program = link(workload.shading, textured);
+  s.program = link(sources_of(workload.shading, triangles), textured);
   glUseProgram(s.program);
   s.set_lights(workload.scene);
   if (textured) upload(workload.scene.textures.at(0));

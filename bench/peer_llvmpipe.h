@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "bench/triangle_pass.h"
 #include "bench/workloads.h"
 #include "raster/image/image.h"
 
@@ -13,11 +15,15 @@ namespace kinescope::bench {
 /// and a 32-bit float depth buffer of 1 or 4 samples, resolved at the end of a frame.
 class LlvmpipePeer {
  public:
+  static constexpr int kMaxSamples = 4;
+
   /// Call before the first peer is made: how many threads llvmpipe rasterizes with.
   static void set_threads(int threads);
 
+  /// @param triangles  show the triangles' numbers instead of the workload's colours
   /// @throws Error if EGL gives no llvmpipe context
-  LlvmpipePeer(const Workload& workload, int width, int height, int samples);
+  LlvmpipePeer(const Workload& workload, int width, int height, int samples,
+               std::optional<TriangleColours> triangles = {});
   ~LlvmpipePeer();
   LlvmpipePeer(const LlvmpipePeer&) = delete;
   LlvmpipePeer& operator=(const LlvmpipePeer&) = delete;

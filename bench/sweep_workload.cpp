@@ -6,10 +6,10 @@
 
 namespace kinescope::bench {
 
-Workload sweep_workload(int leg_px) {
+Workload sweep_workload(int leg_px, int most) {
   constexpr float kWidth = 1920, kHeight = 1080;
   const auto leg = static_cast<float>(leg_px);
-  const int count = std::min(1'000'000, 100'000'000 / (leg_px * leg_px));
+  const int count = std::min(most, 100'000'000 / (leg_px * leg_px));
   std::mt19937 random(1);
   const auto uniform = [&random] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
   Mesh mesh;

@@ -23,7 +23,8 @@ Workload layers_workload(int layers, bool near_first, bool textured);
 /// 40 x 40 boxes seen from the street, in random order.
 Workload city_workload();
 
-/// Triangles with legs of `leg_px` pixels at random places and depths of a 1920x1080 picture.
-Workload sweep_workload(int leg_px);
+/// Triangles with legs of `leg_px` pixels at random places and depths of a 1920x1080 picture:
+/// `most` of them, or as many as cover 24 pictures.
+Workload sweep_workload(int leg_px, int most = 1'000'000);
 
 }  // namespace kinescope::bench

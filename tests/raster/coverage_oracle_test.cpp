@@ -8,16 +8,14 @@
 #include "raster/rasterizer.h"
 #include "raster/reference_rasterizer.h"
 #include "raster/sample_pattern.h"
+#include "tests/exactness/coverage_oracle.h"
+#include "tests/exactness/families.h"
 #include "tests/raster/triangle_soup.h"
 
 namespace kinescope {
 namespace {
 
-__extension__ using Wide = __int128;
-
-struct Point {
-  Wide x, y;  // in 256ths of a pixel
-};
+using exactness::CoverageOracle, exactness::Family, exactness::sample_point;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int kScale = 16;
@@ -25,44 +23,13 @@ constexpr int kScale = 16;
 constexpr int kScale = 1;
 #endif
 
-int sign(Wide v) { return (v > 0) - (v < 0); }
-
-int side(Point a, Point b, Point p) {
-  return sign((b.x - a.x) * (p.y - a.y) - (p.x - a.x) * (b.y - a.y));
-}
-
-/// On the line of the edge a-b: the triangle owns it if its inside lies below a level edge (a top
-/// edge), or to the right of any other (a left edge).
-bool owns_line(Point a, Point b, Point opposite) {
-  if (a.y == b.y) return opposite.y > a.y;
-  if (a.y > b.y) std::swap(a, b);
-  // x of the line at the height of the opposite corner, times the positive height b.y - a.y.
-  const Wide line_x = a.x * (b.y - a.y) + (b.x - a.x) * (opposite.y - a.y);
-  return opposite.x * (b.y - a.y) > line_x;
-}
-
-bool oracle_covers(const std::array<Point, 3>& t, Point p) {
-  if (side(t[0], t[1], t[2]) == 0) return false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Point a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
-    const int s = side(a, b, p);
-    if (s == 0 ? !owns_line(a, b, c) : s != side(a, b, c)) return false;
-  }
-  return true;
-}
-
-std::array<Point, 3> points(const TriangleSoup& soup, std::size_t triangle) {
-  std::array<Point, 3> out;
+CoverageOracle oracle(const TriangleSoup& soup, std::size_t triangle) {
+  std::array<exactness::Point, 3> out{};
   for (std::size_t i = 0; i < 3; ++i) {
     const TestVertex v = soup.vertex(3 * triangle + i);
-    // llrint rounds to nearest even, as the hardware's conversion does.
-    out[i] = {std::llrint(double{v.x} * 256), std::llrint(double{v.y} * 256)};
+    out[i] = exactness::snapped(v.x, v.y);
   }
-  return out;
-}
-
-Point sample(int x, int y, SampleOffset o) {
-  return {Wide{x} * 256 + o.x.raw(), Wide{y} * 256 + o.y.raw()};
+  return CoverageOracle(out);
 }
 
 Image<LinearRgba> draw_ids(const TriangleSoup& soup, int width, int height) {
@@ -91,11 +58,11 @@ int count_differences_on_a_sheet(unsigned seed, int cell, float reach, int acros
   const Image<LinearRgba> drawn = draw_ids(soup, cell * across, cell * across);
   int differences = 0;
   for (std::size_t i = 0; i < soup.size(); ++i) {
-    const auto t = points(soup, i);
+    const CoverageOracle t = oracle(soup, i);
     const int x0 = static_cast<int>(i) % across * cell, y0 = static_cast<int>(i) / across * cell;
     for (int y = y0; y < y0 + cell; ++y) {
       for (int x = x0; x < x0 + cell; ++x) {
-        const bool expected = oracle_covers(t, sample(x, y, sample_pattern(1)[0]));
+        const bool expected = t.covers(sample_point(x, y, sample_pattern(1)[0]));
         const float want = expected ? static_cast<float>(i) : -1.0f;
         differences += drawn.at(x, y).r != want;
       }
@@ -104,24 +71,50 @@ int count_differences_on_a_sheet(unsigned seed, int cell, float reach, int acros
   return differences;
 }
 
-TEST(CoverageOracle, TinyTriangles) {
-  for (unsigned seed = 0; seed < 20 / kScale + 1; ++seed) {
-    EXPECT_EQ(count_differences_on_a_sheet(seed, 3, 1.4f, 200), 0) << seed;
-  }
-}
-
-TEST(CoverageOracle, SmallTriangles) {
-  for (unsigned seed = 0; seed < 12 / kScale + 1; ++seed) {
-    EXPECT_EQ(count_differences_on_a_sheet(100 + seed, 8, 3.9f, 130), 0) << seed;
-  }
-}
-
-TEST(CoverageOracle, MiddlingTriangles) {
+/// The picture itself; the families below go by the hash of what is visible.
+TEST(CoverageOracle, ColoursShowTheTriangleThatCovers) {
   for (unsigned seed = 0; seed < 6 / kScale + 1; ++seed) {
-    EXPECT_EQ(count_differences_on_a_sheet(200 + seed, 24, 11.9f, 30), 0) << seed;
+    EXPECT_EQ(count_differences_on_a_sheet(seed, 3, 1.4f, 200), 0) << seed;
+    EXPECT_EQ(count_differences_on_a_sheet(100 + seed, 8, 3.9f, 130), 0) << seed;
     EXPECT_EQ(count_differences_on_a_sheet(300 + seed, 48, 23.9f, 12), 0) << seed;
     EXPECT_EQ(count_differences_on_a_sheet(400 + seed, 150, 74.0f, 4), 0) << seed;
   }
+}
+
+/// Sheets of one family at every sample count. @return how many triangles there were
+std::uint64_t expect_exact(Family family, unsigned sheets) {
+  exactness::Comparer comparer;
+  exactness::Tally tally;
+  for (const int samples : {1, 4, 8}) {
+    for (unsigned seed = 0; seed < (sheets - 1) / kScale + 1; ++seed) {
+      const exactness::Tally sheet = exactness::compare(comparer, family, seed, samples);
+      EXPECT_EQ(sheet.differing, 0u) << samples << " samples, seed " << seed;
+      tally += sheet;
+    }
+  }
+  EXPECT_GT(tally.samples, tally.triangles);
+  return tally.triangles;
+}
+
+TEST(CoverageOracle, AMillionTriangles) {
+  std::uint64_t triangles = 0;
+  triangles += expect_exact(Family::kTiny, 6);
+  triangles += expect_exact(Family::kSmall, 6);
+  triangles += expect_exact(Family::kMiddling, 12);
+  triangles += expect_exact(Family::kSharedEdges, 12);
+  triangles += expect_exact(Family::kOffScreen, 12);
+  triangles += expect_exact(Family::kGuardBand, 12);
+  EXPECT_GE(triangles, 1'000'000u / kScale);
+}
+
+/// The comparison is able to fail: of two triangles over each other one hides the other.
+TEST(CoverageOracle, SeesASampleThatTwoTrianglesCover) {
+  TriangleSoup soup;
+  soup.add({0, 0}, {0, 9}, {9, 0});
+  soup.add({1, 1}, {1, 4}, {4, 1});
+  const DrawCall call = soup.call(nullptr);
+  exactness::Comparer comparer;
+  EXPECT_EQ(comparer.compare(call, 10, 10, 1).differing, 1u);
 }
 
 TEST(CoverageOracle, TrianglesAsLargeAsTheGuardBand) {
@@ -132,11 +125,11 @@ TEST(CoverageOracle, TrianglesAsLargeAsTheGuardBand) {
     const auto t = random.triangle(40, 35, reach);
     soup.add(t[0], t[1], t[2]);
     const Image<LinearRgba> drawn = draw_ids(soup, 80, 70);
-    const auto corners = points(soup, 0);
+    const CoverageOracle only = oracle(soup, 0);
     int differences = 0;
     for (int y = 0; y < 70; ++y) {
       for (int x = 0; x < 80; ++x) {
-        const bool expected = oracle_covers(corners, sample(x, y, sample_pattern(1)[0]));
+        const bool expected = only.covers(sample_point(x, y, sample_pattern(1)[0]));
         differences += drawn.at(x, y).r != (expected ? 0.0f : -1.0f);
       }
     }
@@ -151,14 +144,14 @@ TEST(CoverageOracle, ReferenceAtEverySampleCount) {
     const TriangleSoup soup = random.soup(400 / kScale, 50, 40);
     const DrawCall call = soup.call(nullptr);
     const ReferenceImage reference = draw_reference(50, 40, samples, {&call, 1});
-    std::vector<std::array<Point, 3>> triangles;
-    for (std::size_t i = 0; i < soup.size(); ++i) triangles.push_back(points(soup, i));
+    std::vector<CoverageOracle> triangles;
+    for (std::size_t i = 0; i < soup.size(); ++i) triangles.push_back(oracle(soup, i));
     std::size_t at = 0;
     for (int y = 0; y < 40; ++y) {
       for (int x = 0; x < 50; ++x) {
         for (const SampleOffset& offset : sample_pattern(samples)) {
           std::uint32_t count = 0;
-          for (const auto& t : triangles) count += oracle_covers(t, sample(x, y, offset));
+          for (const auto& t : triangles) count += t.covers(sample_point(x, y, offset));
           ASSERT_EQ(reference.coverage[at++], count) << x << "," << y;
         }
       }
