@@ -208,7 +208,7 @@ void shade_when_all_have_met(const Batch& batch, LinearRgba* out) {
   meeting.seen.insert(std::this_thread::get_id());
   meeting.arrival.notify_all();
   // Waits long only where the test is about to fail.
-  meeting.arrival.wait_for(lock, std::chrono::seconds(20),
+  meeting.arrival.wait_for(lock, std::chrono::seconds(100),
                            [&] { return meeting.seen.size() >= meeting.wanted; });
   meeting.wanted = 0;
   for (int i = 0; i < batch.size; ++i) out[i] = {};
