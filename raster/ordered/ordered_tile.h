@@ -40,17 +40,18 @@ class OrderedTile {
 
  private:
   using Records = std::span<const TriangleRecord* const>;
-  /// Calls each(call's index, its records) for the calls of records, in their order.
+  /// Calls each(call's index, records) for each run of records of one call.
   template <typename Each>
   static void for_each_call(const FrameCalls& frame, Records records, const Each& each);
 
   std::int64_t covered_area(const TileBuffer& tile) const;
   void set_bands(const TileBuffer& tile, int rows);
 
-  void draw_submitted(const FrameCalls& frame, std::span<const SampleOffset> pattern,
-                      const LinearRgba& clear, TileBuffer& tile);
-  void blend_submitted(const FrameCalls& frame, int call, const LinearRgba& clear,
-                       const TileBuffer& tile);
+  void draw_in_order(const FrameCalls& frame, std::span<const SampleOffset> pattern,
+                     const LinearRgba& clear, TileBuffer& tile);
+  void blend_batches(const FrameCalls& frame, int call, const LinearRgba& clear,
+                     const TileBuffer& tile);
+  bool lie_apart(const FrameCalls& frame, const TileBuffer& tile);
   void draw_by_depth(const FrameCalls& frame, std::span<const SampleOffset> pattern,
                      const LinearRgba& clear, TileBuffer& tile);
   bool gather(const FrameCalls& frame, std::span<const SampleOffset> pattern, const PixelRect& band,
@@ -59,7 +60,7 @@ class OrderedTile {
                   const TileBuffer& tile);
 
   std::vector<const ChunkList<RecordChunk>*> submitted_lists_, by_depth_lists_;
-  std::vector<const TriangleRecord*> records_;
+  std::vector<const TriangleRecord*> records_, far_first_;
   std::vector<PixelRect> bands_;  ///< parts of the tile that are drawn one after another
   OrderedFragments fragments_;
   /// Of fragments that are blended by depth: modes, and where each call's end.

@@ -125,6 +125,29 @@ TEST(Transparency, WhatIsOpaqueHidesWhereverItIsSubmitted) {
   }
 }
 
+/// Triangles that lie apart in depth are drawn one by one; one more that does not must change
+/// nothing about them.
+TEST(Transparency, LayersApartAndLayersThatMeetGiveOnePicture) {
+  RandomTriangles random(12);
+  for (const int samples : {1, 4}) {
+    BlendScene apart;
+    for (int i = 0; i < 40; ++i) {
+      const int x = random.below(50) - 9, y = random.below(40) - 9, side = 5 + random.below(50);
+      // Some at one depth.
+      const float z = static_cast<float>(random.below(30) + 1) / 32.0f;
+      const LinearRgba colour = {random.between(0, 1), random.between(0, 1), random.between(0, 1),
+                                 random.between(0, 1)};
+      apart.add_rect({x, y, x + side, y + side}, z, colour, BlendMode::kAlpha,
+                     BlendOrder::kByDepth);
+    }
+    BlendScene meeting = apart;
+    // Across all depths, and invisible.
+    meeting.add(tilted(60, 50, 0, 1), {0, 0, 0, 0}, BlendMode::kAdditive, BlendOrder::kByDepth);
+    EXPECT_EQ(draw_blended(apart.calls, 60, 50, samples).colour,
+              draw_blended(meeting.calls, 60, 50, samples).colour);
+  }
+}
+
 /// Half a pixel of a layer blends onto half its samples.
 TEST(Transparency, SamplesAreBlendedOneByOne) {
   for (const int samples : {4, 8}) {
