@@ -6,7 +6,7 @@
 
 namespace kinescope::bench {
 
-Workload layers_workload(int layers, bool near_first, bool textured) {
+Workload layers_workload(int layers, bool near_first, bool textured, float opacity) {
   Workload workload;
   workload.shading = ShadingModel::kUnlit;
   std::mt19937 random(1);
@@ -29,6 +29,7 @@ Workload layers_workload(int layers, bool near_first, bool textured) {
   }
   Material material;
   material.base_colour = glm::vec3(1.0f);
+  material.opacity = opacity;
   Scene& scene = workload.scene;
   if (textured) {
     mesh.colours.clear();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kHead = R"(#version 330 core
 uniform vec3 eye, base, specular, ambient;
-uniform float shininess;
+uniform float shininess, opacity;
 uniform int lights;
 uniform vec3 light_position[8], light_colour[8];
 void light(vec3 p, vec3 n, out vec3 body, out vec3 highlight) {
@@ -61,7 +61,7 @@ void main() {
 #ifdef TEXTURED
   body *= texture(image, uv).rgb;
 #endif
-  colour = vec4(body + highlight, 1);
+  colour = vec4(body + highlight, opacity);
 }
 )";
 
@@ -81,7 +81,7 @@ void main() {
 constexpr const char* kFragmentGouraud = R"(
 in vec3 lit;
 out vec4 colour;
-void main() { colour = vec4(lit, 1); }
+void main() { colour = vec4(lit, opacity); }
 )";
 
 constexpr const char* kVertexUnlit = R"(
@@ -104,9 +104,9 @@ out vec4 colour;
 uniform sampler2D image;
 void main() {
 #ifdef TEXTURED
-  colour = vec4(base * texture(image, uv).rgb, 1);
+  colour = vec4(base * texture(image, uv).rgb, opacity);
 #else
-  colour = vec4(base * tint, 1);
+  colour = vec4(base * tint, opacity);
 #endif
 }
 )";
@@ -278,6 +278,7 @@ struct LlvmpipePeer::State {
   int width = 0, height = 0, samples = 1;
   GLuint target = 0, resolved = 0, program = 0;
   std::vector<MeshBuffers> meshes;
+  bool blends = false;
 
   GLint uniform(const char* name) const { return glGetUniformLocation(program, name); }
   void set_lights(const Scene& scene) const;
@@ -288,6 +289,7 @@ void LlvmpipePeer::State::set_lights(const Scene& scene) const {
   glUniform3fv(uniform("base"), 1, glm::value_ptr(material.base_colour));
   glUniform3fv(uniform("specular"), 1, glm::value_ptr(material.specular));
   glUniform1f(uniform("shininess"), material.shininess);
+  glUniform1f(uniform("opacity"), material.opacity);
   glUniform3fv(uniform("ambient"), 1, glm::value_ptr(scene.ambient));
   glUniform1i(uniform("lights"), static_cast<GLint>(scene.lights.size()));
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -323,6 +325,12 @@ LlvmpipePeer::LlvmpipePeer(const Workload& workload, int width, int height, int 
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   glFrontFace(GL_CW);  // the picture is drawn upside down
+  s.blends = workload.scene.materials.at(0).opacity < 1.0f;
+  if (s.blends) {
+    // In the order of submission: the workload's meshes run from far to near.
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  }
 }
 
 LlvmpipePeer::~LlvmpipePeer() { state_->context.make_current(); }
@@ -348,7 +356,9 @@ double LlvmpipePeer::draw(const Camera& camera) {
   const auto start = std::chrono::steady_clock::now();
   glBindFramebuffer(GL_FRAMEBUFFER, s.target);
   glClearColor(0, 0, 0, 1);
+  glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glDepthMask(s.blends ? GL_FALSE : GL_TRUE);
   glUniformMatrix4fv(s.uniform("clip_from_world"), 1, GL_FALSE, glm::value_ptr(clip_from_world));
   glUniform3fv(s.uniform("eye"), 1, glm::value_ptr(camera.eye));
   for (const MeshBuffers& mesh : s.meshes) {

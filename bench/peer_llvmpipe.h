@@ -12,7 +12,8 @@
 namespace kinescope::bench {
 
 /// A workload held by OpenGL: static buffers, the same lights, texture and culling, an RGBA8 colour
-/// and a 32-bit float depth buffer of 1 or 4 samples, resolved at the end of a frame.
+/// and a 32-bit float depth buffer of 1 or 4 samples, resolved at the end of a frame. A material
+/// that is not opaque is blended as submitted, without writing depth.
 class LlvmpipePeer {
  public:
   static constexpr int kMaxSamples = 4;

@@ -18,7 +18,8 @@ struct KnotShape {
 Workload knot_workload(const KnotShape& shape);
 
 /// Quads that fill the picture, one behind another: colours interpolated, or a trilinear texture.
-Workload layers_workload(int layers, bool near_first, bool textured);
+/// Those that are not opaque run from far to near.
+Workload layers_workload(int layers, bool near_first, bool textured, float opacity = 1.0f);
 
 /// 40 x 40 boxes seen from the street, in random order.
 Workload city_workload();

@@ -35,6 +35,7 @@ constexpr Entry kEntries[] = {
     {"layers-far-first", [] { return layers_workload(32, false, false); }},
     {"layers-near-first", [] { return layers_workload(32, true, false); }},
     {"layers-texture", [] { return layers_workload(8, false, true); }},
+    {"layers-glass", [] { return layers_workload(32, false, false, 0.5f); }},
     {"city", [] { return city_workload(); }},
     {"sweep-1", [] { return sweep_workload(1); }},
     {"sweep-2", [] { return sweep_workload(2); }},

@@ -76,6 +76,12 @@ DrawCall draw_call(FrameMesh& mesh, ShadingModel shading) {
   return call;
 }
 
+/// Whether light from behind comes through.
+bool is_transparent(const Surface& surface) {
+  return surface.material.opacity < 1.0f ||
+         (surface.texture != nullptr && surface.texture->has_alpha());
+}
+
 }  // namespace
 
 struct Renderer::State {
@@ -133,9 +139,14 @@ void Renderer::State::add_surfaces(const Projector& projector, const RenderSetti
   if (settings.shading == ShadingModel::kGouraud) light_mesh_vertices(workers, meshes);
   if (settings.shading == ShadingModel::kFlat) light_mesh_triangles(workers, meshes);
   cut(projector, settings.shading, stats);
-  // All surfaces are drawn as if opaque; those that let light through belong in a pass behind.
   for (FrameMesh& mesh : meshes) {
-    if (mesh.seen) calls.push_back(draw_call(mesh, settings.shading));
+    if (!mesh.seen) continue;
+    DrawCall call = draw_call(mesh, settings.shading);
+    if (is_transparent(mesh.surface)) {
+      call.blend = BlendMode::kAlpha;
+      call.order = BlendOrder::kByDepth;
+    }
+    calls.push_back(call);
   }
 }
 

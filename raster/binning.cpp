@@ -49,10 +49,13 @@ PixelRect pixel_box(const SnappedTriangle& t, std::span<const SampleOffset> patt
 }
 
 bool bin_triangle(const SnappedTriangle& t, std::uint32_t id, std::span<const SampleOffset> pattern,
-                  const TileGrid& grid, Bins& bins) {
-  const PixelRect box = pixel_box(t, pattern, grid);
+                  const PixelRect& clip, const TileGrid& grid,
+                  std::span<ChunkList<RecordChunk>> tiles, ChunkPool<RecordChunk>& pool) {
+  const PixelRect whole = pixel_box(t, pattern, grid);
+  const PixelRect box = intersection(whole, clip);
   if (box.empty()) return false;
-  const TriangleRecord record = record_of(t, id, box);
+  TriangleRecord record = record_of(t, id, box);
+  record.clipped = box != whole;
   const int column0 = grid.column_of(box.x0), column1 = grid.column_of(box.x1 - 1);
   const int row0 = grid.row_of(box.y0), row1 = grid.row_of(box.y1 - 1);
   const bool several = column0 != column1 || row0 != row1;
@@ -60,7 +63,7 @@ bool bin_triangle(const SnappedTriangle& t, std::uint32_t id, std::span<const Sa
     for (int column = column0; column <= column1; ++column) {
       const int tile = row * grid.columns + column;
       if (several && misses(t, grid.rect(tile))) continue;
-      RecordChunk& chunk = bins.records[static_cast<std::size_t>(tile)].tail(bins.record_pool);
+      RecordChunk& chunk = tiles[static_cast<std::size_t>(tile)].tail(pool);
       chunk.records[static_cast<std::size_t>(chunk.size++)] = record;
     }
   }

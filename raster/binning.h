@@ -15,7 +15,10 @@ PixelRect pixel_box(const SnappedTriangle& triangle, std::span<const SampleOffse
                     const TileGrid& grid);
 
 /// Puts a triangle's record into each tile where it may cover a sample. Returns whether any.
+/// @param clip  within the target: no pixel outside is drawn
 bool bin_triangle(const SnappedTriangle& triangle, std::uint32_t id,
-                  std::span<const SampleOffset> pattern, const TileGrid& grid, Bins& bins);
+                  std::span<const SampleOffset> pattern, const PixelRect& clip,
+                  const TileGrid& grid, std::span<ChunkList<RecordChunk>> tiles,
+                  ChunkPool<RecordChunk>& pool);
 
 }  // namespace kinescope

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "raster/batch.h"
+#include "raster/blending.h"
+#include "raster/pixel_rect.h"
 
 namespace kinescope {
 
@@ -24,6 +27,11 @@ struct DeviceVertices {
 enum class CullMode { kNone, kBack, kFront };
 
 /// Triangles of one surface. The spans must live until the frame is drawn.
+///
+/// A call with the default depth test, depth write and blending is plain. Submit plain calls first:
+/// they are drawn by visibility, each pixel shaded once. From the first call on that is neither
+/// plain nor kByDepth, all calls are drawn one after another, as a GPU draws them; the picture is
+/// the same, only dearer.
 struct DrawCall {
   DeviceVertices vertices;
   std::span<const std::uint32_t> indices;  ///< three a triangle; each below the vertex count
@@ -41,6 +49,17 @@ struct DrawCall {
   CullMode cull = CullMode::kBack;
   ShadeFunction shade = nullptr;  ///< null: shows the clear colour, and so hides what lies behind
   const void* constants = nullptr;
+
+  DepthTest depth_test = DepthTest::kLess;
+  bool depth_write = true;  ///< kByDepth never writes depth
+  BlendMode blend = BlendMode::kOpaque;
+  BlendOrder order = BlendOrder::kSubmitted;
+  std::optional<PixelRect> scissor;  ///< no pixel outside is touched; none: the whole target
+
+  bool is_plain() const {
+    return depth_test == DepthTest::kLess && depth_write && blend == BlendMode::kOpaque &&
+           order == BlendOrder::kSubmitted;
+  }
 };
 
 }  // namespace kinescope

@@ -10,18 +10,26 @@ int FrameCalls::call_of(std::uint32_t id) const {
 }
 
 std::span<const LinearRgba> FragmentShader::shade(const FrameCalls& frame,
-                                                  const VisibleFragments& fragments,
+                                                  const FragmentView& fragments,
                                                   const LinearRgba& clear) {
   const auto size = static_cast<std::size_t>(fragments.size);
   // A shader may write whole vectors past the last fragment.
   if (colours_.size() < size + Batch::kMaxSize) colours_.resize(size + Batch::kMaxSize);
   group_by_call(frame, fragments);
-  for (const Group& group : groups_) shade_group(frame, fragments, group, clear);
+  for (const Group& group : groups_) {
+    shade_group(frame, fragments, group, clear, colours_.data());
+  }
   return {colours_.data(), size};
 }
 
+void FragmentShader::shade_call(const FrameCalls& frame, int call, const FragmentView& fragments,
+                                const LinearRgba& clear, LinearRgba* out) {
+  order_.clear();
+  shade_group(frame, fragments, {call, 0, fragments.size, 0}, clear, out);
+}
+
 // A stable counting sort by call, over the calls that occur.
-void FragmentShader::group_by_call(const FrameCalls& frame, const VisibleFragments& fragments) {
+void FragmentShader::group_by_call(const FrameCalls& frame, const FragmentView& fragments) {
   groups_.clear();
   order_.clear();
   if (fragments.size == 0) return;
@@ -29,7 +37,7 @@ void FragmentShader::group_by_call(const FrameCalls& frame, const VisibleFragmen
     groups_.push_back({0, 0, fragments.size, 0});
     return;
   }
-  const std::uint32_t* const id = fragments.id.data();
+  const std::uint32_t* const id = fragments.id;
   const auto [least, most] = std::minmax_element(id, id + fragments.size);
   const int least_call = frame.call_of(*least);
   if (least_call == frame.call_of(*most)) {
@@ -66,14 +74,13 @@ void FragmentShader::group_by_call(const FrameCalls& frame, const VisibleFragmen
   }
 }
 
-void FragmentShader::load(const FrameCalls& frame, const VisibleFragments& fragments, int call,
+void FragmentShader::load(const FrameCalls& frame, const FragmentView& fragments, int call,
                           int first, int count) {
   const DrawCall& draw = frame.calls[static_cast<std::size_t>(call)];
   const std::uint32_t first_id = frame.first_id[static_cast<std::size_t>(call)];
   const auto size = static_cast<std::size_t>(count);
   if (order_.empty()) {
-    unpack_fragments(fragments.id.data() + first, fragments.xy.data() + first, first_id, count,
-                     storage_);
+    unpack_fragments(fragments.id + first, fragments.xy + first, first_id, count, storage_);
   } else {
     for (std::size_t i = 0; i < size; ++i) {
       const auto from = static_cast<std::size_t>(order_[static_cast<std::size_t>(first) + i]);
@@ -91,8 +98,8 @@ void FragmentShader::load(const FrameCalls& frame, const VisibleFragments& fragm
   }
 }
 
-void FragmentShader::shade_group(const FrameCalls& frame, const VisibleFragments& fragments,
-                                 const Group& group, const LinearRgba& clear) {
+void FragmentShader::shade_group(const FrameCalls& frame, const FragmentView& fragments,
+                                 const Group& group, const LinearRgba& clear, LinearRgba* colours) {
   const DrawCall& draw = frame.calls[static_cast<std::size_t>(group.call)];
   Batch batch;
   batch.constants = draw.constants;
@@ -111,7 +118,7 @@ void FragmentShader::shade_group(const FrameCalls& frame, const VisibleFragments
   }
   for (int first = group.first; first < group.end; first += Batch::kMaxSize) {
     batch.size = std::min(Batch::kMaxSize, group.end - first);
-    LinearRgba* const out = order_.empty() ? colours_.data() + first : shaded_.data();
+    LinearRgba* const out = order_.empty() ? colours + first : shaded_.data();
     if (draw.shade == nullptr) {
       std::fill_n(out, batch.size, clear);
     } else {
@@ -121,7 +128,7 @@ void FragmentShader::shade_group(const FrameCalls& frame, const VisibleFragments
     }
     if (order_.empty()) continue;
     for (int i = 0; i < batch.size; ++i) {
-      colours_[static_cast<std::size_t>(order_[static_cast<std::size_t>(first + i)])] = out[i];
+      colours[order_[static_cast<std::size_t>(first + i)]] = out[i];
     }
   }
 }

@@ -14,7 +14,10 @@
 #include "raster/kernels/large_triangles.h"
 #include "raster/kernels/medium_triangles.h"
 #include "raster/kernels/small_triangles.h"
+#include "raster/ordered/ordered_bins.h"
+#include "raster/ordered/ordered_tile.h"
 #include "raster/resolve.h"
+#include "raster/scissor.h"
 #include "raster/tile.h"
 #include "raster/visibility_hash.h"
 #include "raster/visible_fragments.h"
@@ -26,11 +29,13 @@ namespace {
 struct alignas(64) WorkerState {
   CulledTriangles culled;
   Bins bins;
+  OrderedBins ordered_bins;
   TileBuffer tile;
   FragmentBuffer buffer;
   std::vector<const TriangleRecord*> records;  ///< of the tile
   VisibleFragments visible;
   FragmentShader shader;
+  OrderedTile ordered;
   RasterStats stats;
 };
 
@@ -51,6 +56,7 @@ struct Rasterizer::Frame {
 
   void begin(RenderTarget& target, std::span<const DrawCall> calls);
   void bin_range(const TriangleRange& range, WorkerState& state) const;
+  bool begin_ordered(int tile, WorkerState& state) const;
   void draw_tile(int tile, RenderTarget& target, bool want_hash, WorkerState& state) const;
 
   Workers& workers;
@@ -59,6 +65,8 @@ struct Rasterizer::Frame {
   TileGrid grid;
   std::span<const SampleOffset> pattern;
   FrameCalls calls;
+  std::vector<DrawPhase> phases;  ///< of the calls
+  bool has_order = false;         ///< whether any phase but the first has calls
   std::vector<TriangleRange> ranges;
 };
 
@@ -72,8 +80,12 @@ void Rasterizer::Frame::begin(RenderTarget& target, std::span<const DrawCall> dr
       (target.depth.width() != target.width || target.depth.height() != target.height)) {
     target.depth = Image<float>(target.width, target.height);
   }
+  phases = phases_of(draw_calls);
+  has_order = std::any_of(phases.begin(), phases.end(),
+                          [](DrawPhase phase) { return phase != DrawPhase::kVisibility; });
   for (WorkerState& state : states) {
     state.bins.clear(grid.count());
+    state.ordered_bins.clear(has_order ? grid.count() : 0);
     state.stats = {};
   }
   calls.calls = draw_calls;
@@ -98,19 +110,38 @@ void Rasterizer::Frame::begin(RenderTarget& target, std::span<const DrawCall> dr
 void Rasterizer::Frame::bin_range(const TriangleRange& range, WorkerState& state) const {
   const DrawCall& call = calls.calls[range.call];
   const std::uint32_t first_id = calls.first_id[range.call];
+  const PixelRect clip = clip_of(call, grid);
+  if (clip.empty()) return;
   CulledTriangles& culled = state.culled;
   cull_triangles(call, range.first, range.count, pattern, grid, culled);
+  const DrawPhase phase = phases[range.call];
+  if (phase != DrawPhase::kVisibility) {
+    OrderedBins& bins = state.ordered_bins;
+    state.stats.drawn +=
+        bin_in_order(culled, call, first_id, clip, pattern, grid, bins.of(phase), bins.pool);
+    return;
+  }
+  if (call.scissor) apply_scissor(clip, pattern, culled);
   bin_small_triangles(culled.small, first_id, grid, state.bins);
   bin_medium_triangles(culled.medium, first_id, grid, state.bins);
   state.stats.drawn += static_cast<std::uint64_t>(culled.small.size + culled.medium.size);
   SnappedTriangle triangle;
   for (int i = 0; i < culled.large_size; ++i) {
     const std::uint32_t index = culled.large_triangle[static_cast<std::size_t>(i)];
-    if (set_up_triangle(call, index, triangle) &&
-        bin_triangle(triangle, first_id + index, pattern, grid, state.bins)) {
+    if (!set_up_triangle(call, index, triangle)) continue;
+    if (bin_triangle(triangle, first_id + index, pattern, clip, grid, state.bins.records,
+                     state.bins.record_pool)) {
       ++state.stats.drawn;
     }
   }
+}
+
+/// Whether a tile has anything to blend.
+bool Rasterizer::Frame::begin_ordered(int tile, WorkerState& state) const {
+  if (!has_order) return false;
+  state.ordered.begin();
+  for (const WorkerState& from : states) state.ordered.add(from.ordered_bins, tile);
+  return !state.ordered.empty();
 }
 
 void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash,
@@ -133,17 +164,24 @@ void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash
     draw_small_triangles(from.bins.small[at], false, pattern, state.tile, state.buffer);
     draw_small_triangles(from.bins.small_across[at], true, pattern, state.tile, state.buffer);
   }
-  if (want_hash || target.keep_depth) store_all_blocks(pattern, state.tile);
-  if (want_hash) state.stats.visibility_hash += tile_hash(state.tile, target.width);
-  if (target.keep_depth) keep_depth(state.tile, target.depth);
+  const bool is_ordered = begin_ordered(tile, state);
+  if (is_ordered || want_hash || target.keep_depth) store_all_blocks(pattern, state.tile);
+  if (is_ordered) state.ordered.begin_colours(target.clear, state.tile);
   // A few blocks at a time, so that fragments and colours stay in a first-level cache.
   for (int block = 0; block < state.tile.block_columns * state.tile.block_rows;) {
     gather_visible(state.tile, block, state.visible);
     const auto colours = state.shader.shade(calls, state.visible, target.clear);
     resolve_blocks(state.tile, state.visible, colours, target);
+    if (is_ordered) state.ordered.take(state.visible, colours, state.tile);
     state.stats.fragments += static_cast<std::uint64_t>(state.visible.size);
     block = state.visible.end_block;
   }
+  if (is_ordered) {
+    state.stats.fragments += state.ordered.draw(calls, pattern, target.clear, state.tile);
+    state.ordered.resolve(state.tile, target);
+  }
+  if (want_hash) state.stats.visibility_hash += tile_hash(state.tile, target.width);
+  if (target.keep_depth) keep_depth(state.tile, target.depth);
 }
 
 Rasterizer::Rasterizer(Workers& workers, RasterizerOptions options)

@@ -21,10 +21,10 @@ struct RasterStats {
   std::uint64_t triangles = 0;        ///< submitted
   std::uint64_t drawn = 0;            ///< left after culling
   std::uint64_t fragments = 0;        ///< shaded
-  std::uint64_t visibility_hash = 0;  ///< of (triangle, depth) a sample; 0 unless asked for
+  std::uint64_t visibility_hash = 0;  ///< of (depth, who wrote it) a sample; 0 unless asked for
 };
 
-/// Opaque triangles into a target. Keeps its buffers between frames; use one from one thread.
+/// Triangles into a target. Keeps its buffers between frames; use one from one thread.
 class Rasterizer {
  public:
   explicit Rasterizer(Workers& workers, RasterizerOptions options = {});
@@ -32,7 +32,8 @@ class Rasterizer {
   Rasterizer(const Rasterizer&) = delete;
   Rasterizer& operator=(const Rasterizer&) = delete;
 
-  /// Clears the target and draws all calls. Of fragments at one depth the one submitted first wins.
+  /// Clears the target and draws all calls, as if one triangle after another (DrawCall says how
+  /// each meets what is there). Of plain fragments at one depth the one submitted first wins.
   /// @throws Error if memory for the frame cannot be had, or (usage) for a tile's size out of range
   RasterStats draw(RenderTarget& target, std::span<const DrawCall> calls,
                    bool want_visibility_hash = false);

@@ -1,52 +1,25 @@
 #include "raster/reference_rasterizer.h"
 
-#include <algorithm>
-
-#include "raster/binning.h"
-#include "raster/sample_pattern.h"
-#include "raster/triangle_setup.h"
+#include "raster/reference_coverage.h"
 #include "raster/visibility_hash.h"
 
 namespace kinescope {
 namespace {
 
-bool covers(const SnappedTriangle& t, std::int64_t px, std::int64_t py) {
-  for (int i = 0; i < 3; ++i) {
-    const std::int64_t e = t.edge(i, px, py);
-    if (e < 0 || (e == 0 && !t.is_top_left(i))) return false;
-  }
-  return true;
-}
-
-void draw_triangle(const SnappedTriangle& t, std::uint32_t id,
-                   std::span<const SampleOffset> pattern, ReferenceImage& out) {
-  const PixelRect box = pixel_box(t, pattern, TileGrid(out.width, out.height, 8, 8));
-  for (int y = box.y0; y < box.y1; ++y) {
-    for (int x = box.x0; x < box.x1; ++x) {
-      for (std::size_t s = 0; s < pattern.size(); ++s) {
-        const SampleOffset o = pattern[s];
-        if (!covers(t, std::int64_t{x} * 256 + o.x.raw(), std::int64_t{y} * 256 + o.y.raw())) {
-          continue;
-        }
-        const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) +
-                           static_cast<std::size_t>(x);
-        const std::size_t i = pixel * pattern.size() + s;
-        const float z = t.depth.at(static_cast<float>(x) + o.x.to_float(),
-                                   static_cast<float>(y) + o.y.to_float());
-        ++out.coverage[i];
-        if (z < out.depth[i] || (z == out.depth[i] && id < out.id[i])) {
-          out.depth[i] = z;
-          out.id[i] = id;
-        }
-      }
-    }
-  }
+void test_depth(const DrawCall& call, float z, std::uint32_t id, float& depth,
+                std::uint32_t& writer) {
+  const float stored = writer == ReferenceImage::kNothing ? ReferenceImage::kBeyond : depth;
+  const bool writes = call.depth_write && call.order == BlendOrder::kSubmitted;
+  if (!writes || !passes(call.depth_test, z, stored)) return;
+  depth = z;
+  writer = id;
 }
 
 }  // namespace
 
 ReferenceImage draw_reference(int width, int height, int samples, std::span<const DrawCall> calls) {
   const std::span<const SampleOffset> pattern = sample_pattern(samples);
+  const TileGrid grid(width, height, 8, 8);
   ReferenceImage out;
   out.width = width;
   out.height = height;
@@ -60,7 +33,12 @@ ReferenceImage draw_reference(int width, int height, int samples, std::span<cons
   for (const DrawCall& call : calls) {
     for (std::size_t i = 0; i < call.indices.size() / 3; ++i, ++id) {
       SnappedTriangle triangle;
-      if (set_up_triangle(call, i, triangle)) draw_triangle(triangle, id, pattern, out);
+      if (!set_up_triangle(call, i, triangle)) continue;
+      for_each_sample(call, triangle, pattern, grid, [&](int x, int y, std::size_t s, float z) {
+        const std::size_t at = out.index(x, y, s);
+        ++out.coverage[at];
+        test_depth(call, z, id, out.depth[at], out.id[at]);
+      });
     }
   }
   for (std::size_t i = 0; i < total; ++i) {

@@ -4,14 +4,9 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace kinescope {
+#include "raster/pixel_rect.h"
 
-/// A half-open rectangle of pixels.
-struct PixelRect {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  bool empty() const { return x0 >= x1 || y0 >= y1; }
-  bool operator==(const PixelRect&) const = default;
-};
+namespace kinescope {
 
 struct TileGrid {
   int width = 0, height = 0;              ///< of the target

@@ -14,6 +14,13 @@ bool is_drawable(float x_px, float y_px, float z) {
          std::abs(z) <= std::numeric_limits<float>::max();
 }
 
+std::int64_t double_area(const std::array<std::int32_t, 3>& x,
+                         const std::array<std::int32_t, 3>& y) {
+  // Widened first: a side may be 2^24 raw units long.
+  const auto side = [](std::int32_t a, std::int32_t b) { return std::int64_t{b} - a; };
+  return side(x[0], x[1]) * side(y[0], y[2]) - side(x[0], x[2]) * side(y[0], y[1]);
+}
+
 void set_depth_plane(const std::array<float, 3>& z, SnappedTriangle& t) {
   const auto& x = t.x;
   const auto& y = t.y;
@@ -44,10 +51,7 @@ bool set_up_triangle(const DrawCall& call, std::size_t triangle, SnappedTriangle
     // Adding zero turns -0 into 0, so that equal depths have equal bits.
     z[i] = std::min(std::max(from.z[v], 0.0f), 1.0f) + 0.0f;
   }
-  // Widened first: a side may be 2^24 raw units long.
-  const auto side = [](std::int32_t a, std::int32_t b) { return std::int64_t{b} - a; };
-  out.double_area = side(out.x[0], out.x[1]) * side(out.y[0], out.y[2]) -
-                    side(out.x[0], out.x[2]) * side(out.y[0], out.y[1]);
+  out.double_area = double_area(out.x, out.y);
   const bool front = out.double_area < 0;  // counter-clockwise on the screen, y running down
   if (out.double_area == 0 || (front && call.cull == CullMode::kFront) ||
       (!front && call.cull == CullMode::kBack)) {
@@ -61,6 +65,14 @@ bool set_up_triangle(const DrawCall& call, std::size_t triangle, SnappedTriangle
   }
   set_depth_plane(z, out);
   return true;
+}
+
+void set_up_snapped(const std::array<std::int32_t, 3>& x, const std::array<std::int32_t, 3>& y,
+                    const std::array<float, 3>& z, SnappedTriangle& out) {
+  out.x = x;
+  out.y = y;
+  out.double_area = double_area(x, y);
+  set_depth_plane(z, out);
 }
 
 }  // namespace kinescope

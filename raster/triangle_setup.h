@@ -50,4 +50,9 @@ struct SnappedTriangle {
 /// coordinate is not finite or lies beyond the guard band.
 bool set_up_triangle(const DrawCall& call, std::size_t triangle, SnappedTriangle& out);
 
+/// The same from vertices that were snapped, and turned to positive area, before.
+/// @param z  depths in [0, 1]
+void set_up_snapped(const std::array<std::int32_t, 3>& x, const std::array<std::int32_t, 3>& y,
+                    const std::array<float, 3>& z, SnappedTriangle& out);
+
 }  // namespace kinescope
