@@ -24,10 +24,11 @@ struct FrontEnd {
     bin_small_triangles(culled->small, 0, grid, bins);
     bin_medium_triangles(culled->medium, 0, grid, bins);
     SnappedTriangle triangle;
+    const PixelRect all{0, 0, grid.width, grid.height};
     for (int i = 0; i < culled->large_size; ++i) {
       const std::uint32_t index = culled->large_triangle[static_cast<std::size_t>(i)];
-      if (set_up_triangle(call, index, triangle))
-        bin_triangle(triangle, index, pattern, grid, bins);
+      if (!set_up_triangle(call, index, triangle)) continue;
+      bin_triangle(triangle, index, pattern, all, grid, bins.records, bins.record_pool);
     }
   }
 

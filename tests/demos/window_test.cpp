@@ -45,10 +45,11 @@ class Window : public ::testing::Test {
     ASSERT_FALSE(display_->name().empty()) << "Xvfb did not start";
   }
 
-  void start(std::vector<std::string> arguments, const std::string& size = "640x480") {
-    arguments.insert(arguments.begin(), KINESCOPE_BIN_DIR "/kinescope");
-    arguments.insert(arguments.end(), {"--size", size});
-    program_.emplace(arguments,
+  void start(const std::vector<std::string>& arguments, const std::string& size = "640x480") {
+    std::vector<std::string> line{KINESCOPE_BIN_DIR "/kinescope"};
+    line.insert(line.end(), arguments.begin(), arguments.end());
+    line.insert(line.end(), {"--size", size});
+    program_.emplace(line,
                      std::vector<std::string>{"DISPLAY=" + display_->name(), "SDL_VIDEODRIVER=x11",
                                               "SDL_AUDIODRIVER=dummy"},
                      folder_.path().string());
