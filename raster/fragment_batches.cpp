@@ -89,12 +89,9 @@ void FragmentShader::load(const FrameCalls& frame, const FragmentView& fragments
       storage_.triangle[i] = fragments.id[from] - first_id;
     }
   }
-  if (draw.source_triangle.empty()) {
-    std::copy_n(storage_.triangle.begin(), size, storage_.primitive.begin());
-  } else {
-    for (std::size_t i = 0; i < size; ++i) {
-      storage_.primitive[i] = draw.source_triangle[storage_.triangle[i]];
-    }
+  if (draw.source_triangle.empty()) return;  // each is its own source
+  for (std::size_t i = 0; i < size; ++i) {
+    storage_.primitive[i] = draw.source_triangle[storage_.triangle[i]];
   }
 }
 
@@ -105,7 +102,8 @@ void FragmentShader::shade_group(const FrameCalls& frame, const FragmentView& fr
   batch.constants = draw.constants;
   batch.x = storage_.x.data();
   batch.y = storage_.y.data();
-  batch.primitive = storage_.primitive.data();
+  batch.primitive =
+      draw.source_triangle.empty() ? storage_.triangle.data() : storage_.primitive.data();
   for (std::size_t a = 0; a < static_cast<std::size_t>(draw.attribute_count); ++a) {
     batch.attribute[a] = storage_.attribute[a].data();
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <variant>
 
 #include "raster/colour/encode.h"
@@ -40,7 +41,7 @@ void write_block(const std::array<Pixel, kPixels>& codes, const PixelRect& rect,
   for (int y = rect.y0; y < rect.y1; ++y, from += kSide) {
     Pixel* const to = image.row(y) + rect.x0;
     if (whole) {
-      std::copy_n(from, kSide, to);  // of a length that the compiler knows
+      std::memcpy(to, from, kSide * sizeof(Pixel));  // of a length that the compiler knows
     } else {
       std::copy_n(from, rect.x1 - rect.x0, to);
     }

@@ -261,21 +261,26 @@ HWY_INLINE std::size_t find_runs(std::size_t size, BatchStorage& batch) {
 /// Rows of a block meet the same few triangles again and again: a run whose triangle is that of one
 /// of the last four joins it. @return how many runs are left
 HWY_INLINE std::size_t join_runs(std::size_t runs, WeightPlanes& p) {
-  // Run n in place n % 4. No branch asks whether there is one: nobody can predict it.
-  std::array<std::uint32_t, 4> last;
-  last.fill(TileBuffer::kNothing);
+  // The last four, in registers: memory written a moment ago would be waited for. No branch asks
+  // whether one of them is it: nobody can predict that.
+  std::uint32_t last0, last1, last2, last3;
+  last0 = last1 = last2 = last3 = TileBuffer::kNothing;
   std::uint32_t count = 0;
   for (std::size_t r = 0; r < runs; ++r) {
     const std::uint32_t triangle = p.triangle[r];
-    std::uint32_t same = 0;
-    for (std::uint32_t k = 0; k < 4; ++k) same |= (last[k] == triangle ? 1u : 0u) << k;
-    const auto place = static_cast<std::uint32_t>(std::countr_zero(same | 16u));
-    const std::uint32_t back = (count - 1 - place) & 3;
-    const std::uint32_t at = same != 0 ? count - 1 - back : count;
-    last[at & 3] = triangle;
+    const std::uint32_t same = (triangle == last0 ? 1u : 0u) | (triangle == last1 ? 2u : 0u) |
+                               (triangle == last2 ? 4u : 0u) | (triangle == last3 ? 8u : 0u);
+    const auto back = static_cast<std::uint32_t>(std::countr_zero(same));
+    const bool is_new = same == 0;
+    const std::uint32_t at = is_new ? count : count - 1 - back;
+    const std::uint32_t changed = is_new ? ~0u : 0u;
+    last3 ^= (last3 ^ last2) & changed;
+    last2 ^= (last2 ^ last1) & changed;
+    last1 ^= (last1 ^ last0) & changed;
+    last0 ^= (last0 ^ triangle) & changed;
     p.triangle[at] = triangle;
     p.joined[r] = static_cast<std::int32_t>(at);
-    count += same != 0 ? 0 : 1;
+    count += is_new ? 1 : 0;
   }
   return count;
 }
