@@ -83,6 +83,7 @@ bool shows_front(const DrawCall& call, std::size_t triangle) {
 struct Layer {
   std::size_t sample;
   float depth;
+  std::size_t submitted;
   BlendMode mode;
   LinearRgba colour;
 };
@@ -110,7 +111,7 @@ ReferenceImage draw_reference_colours(int width, int height, int samples,
           if (!passes(call.depth_test, z, depth[at])) return;
           const LinearRgba colour = (*shader)(call, i, front, x, y, clear);
           if (by_depth) {
-            layers.push_back({at, z, call.blend, colour});
+            layers.push_back({at, z, layers.size(), call.blend, colour});
           } else {
             out.colour[at] = blended(call.blend, colour, out.colour[at]);
             if (call.depth_write) depth[at] = z;
@@ -119,8 +120,9 @@ ReferenceImage draw_reference_colours(int width, int height, int samples,
       }
     }
   }
-  std::stable_sort(layers.begin(), layers.end(),
-                   [](const Layer& a, const Layer& b) { return a.depth > b.depth; });
+  std::sort(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) {
+    return a.depth != b.depth ? a.depth > b.depth : a.submitted < b.submitted;
+  });
   for (const Layer& layer : layers) {
     out.colour[layer.sample] = blended(layer.mode, layer.colour, out.colour[layer.sample]);
   }

@@ -167,8 +167,9 @@ void OrderedTile::set_bands(const TileBuffer& tile, int rows) {
 /// hidden surface problem", 1972, whose first test this is).
 bool OrderedTile::lie_apart(const FrameCalls& frame, const TileBuffer& tile) {
   far_first_ = records_;
-  std::stable_sort(far_first_.begin(), far_first_.end(),
-                   [](const auto* a, const auto* b) { return a->farthest > b->farthest; });
+  std::sort(far_first_.begin(), far_first_.end(), [](const auto* a, const auto* b) {
+    return a->farthest != b->farthest ? a->farthest > b->farthest : a->id < b->id;
+  });
   for (std::size_t i = 1; i < far_first_.size(); ++i) {
     const TriangleRecord& far = *far_first_[i - 1];
     const TriangleRecord& near = *far_first_[i];
