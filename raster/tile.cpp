@@ -16,7 +16,7 @@ void TileBuffer::begin(const TileGrid& grid, int tile, int sample_count) {
   id.resize(total);
   block_columns = grid.tile_width / kBlock;
   block_rows = grid.tile_height / kBlock;
-  stored = 0;
+  stored = stale = 0;
   shown.fill(nullptr);
   block_nearest.fill(std::numeric_limits<float>::infinity());
   // Blocks beyond the target are never the farthest.

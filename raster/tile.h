@@ -32,6 +32,7 @@ struct TileBuffer {
   std::uint64_t stored = 0;  ///< a bit a block, row by row: its samples are in `depth` and `id`
   /// Of each other block: what all its samples show, null for nothing.
   std::array<const TriangleRecord*, kMaxBlocks> shown{};
+  std::uint64_t stale = 0;  ///< a bit a block: samples were written since its farthest was found
   /// Bounds on the depth of what each block shows; of those not stored, exact at the corners.
   std::array<float, kMaxBlocks> block_nearest{};
   alignas(64) std::array<float, kMaxBlocks> block_farthest{};

@@ -205,6 +205,22 @@ HWY_INLINE void draw_samples(const TriangleInTile<kSamples>& in, int column, int
   }
 }
 
+/// The farthest depth among a stored block's samples.
+HWY_INLINE float farthest_in_block(int column, int row, const TileBuffer& tile) {
+  const F f;
+  const auto samples = static_cast<std::size_t>(tile.samples);
+  const std::size_t stride = static_cast<std::size_t>(tile.stride) * samples;
+  const float* at = tile.depth.data() + static_cast<std::size_t>(row * kBlock) * stride +
+                    static_cast<std::size_t>(column * kBlock) * samples;
+  VF most = hn::Zero(f);
+  for (int r = 0; r < kBlock; ++r, at += stride) {
+    for (std::size_t s = 0; s < kBlock * samples; s += hn::Lanes(f)) {
+      most = hn::Max(most, hn::Load(f, at + s));
+    }
+  }
+  return hn::GetLane(hn::MaxOfLanes(f, most));
+}
+
 /// The triangle in one block that it touches; `covers` if all of the block's samples are its.
 /// @return whether the block's farthest depth may have come nearer
 template <int kSamples>
@@ -213,6 +229,7 @@ HWY_INLINE bool draw_in_block(const TriangleInTile<kSamples>& in, int column, in
   const TriangleRecord& t = *in.record;
   const int block = row * tile.block_columns + column;
   const auto at = static_cast<std::size_t>(block);
+  const std::uint64_t bit = std::uint64_t{1} << block;
   const int x0 = tile.rect.x0 + column * kBlock, y0 = tile.rect.y0 + row * kBlock;
   const PixelRect rect = {x0, y0, x0 + kBlock, y0 + kBlock};
   if (t.clipped) {
@@ -224,16 +241,23 @@ HWY_INLINE bool draw_in_block(const TriangleInTile<kSamples>& in, int column, in
   if (covers || !(range.farthest < tile.block_nearest[at])) {
     range = depth_range(t, rect);
     if (range.nearest > tile.block_farthest[at]) return false;
+    // Triangles that cover the block only together may hide this one.
+    if ((tile.stale & tile.stored & bit) != 0 && range.nearest > tile.block_nearest[at]) {
+      tile.stale &= ~bit;
+      tile.block_farthest[at] = farthest_in_block(column, row, tile);
+      if (range.nearest > tile.block_farthest[at]) return true;
+    }
   }
   if (covers && range.farthest < tile.block_nearest[at]) {
     tile.shown[at] = in.record;
-    tile.stored &= ~(std::uint64_t{1} << block);
+    tile.stored &= ~bit;
     tile.block_nearest[at] = range.nearest;
     tile.block_farthest[at] = range.farthest;
     return true;
   }
   if (!tile.is_stored(block)) store_block(block, parts, tile);
   draw_samples(in, column * kBlock, row * kBlock, parts, tile);
+  tile.stale |= bit;
   tile.block_nearest[at] = std::min(tile.block_nearest[at], range.nearest);
   if (covers) tile.block_farthest[at] = std::min(tile.block_farthest[at], range.farthest);
   return covers;
