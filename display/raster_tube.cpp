@@ -72,9 +72,8 @@ struct TubeWork {
   ~TubeWork() = default;
 };
 
-/// A phosphor under the two Gaussians of the spot: each holds what its part of the beam brought.
-struct SpotLayer {
-  PhosphorLayer narrow, wide;
+struct TubeLayer {
+  PhosphorLayer phosphor;
   std::size_t signal;
 };
 
@@ -102,7 +101,7 @@ struct RasterTube::State {
   BeamTime now;
   bool fresh = true;  // no window of this exposure has passed yet
   std::vector<Signal> signals;
-  std::vector<SpotLayer> layers;
+  std::vector<TubeLayer> layers;
   std::vector<ScreenLayer> screen_layers;
   int width = 0, height = 0;       // of the output
   std::shared_ptr<Screen> screen;  // follows from the settings and the size
@@ -120,7 +119,7 @@ RasterTube::State::State(const TubeSettings& s, int new_width, int new_height)
     const PhosphorLayer layer(*phosphors_used[i], s.mode.pixel_clock_hz,
                               to_clocks(scan.frame_clocks()), cells(), lines());
     const std::size_t signal = colour ? i : 0;
-    layers.push_back({layer, layer, signal});
+    layers.push_back({layer, signal});
     screen_layers.push_back({static_cast<int>(signal), colours[i]});
   }
   set_size(new_width, new_height);
@@ -205,7 +204,7 @@ void RasterTube::State::read_line(const FrameBuffer& buffer, BeamTime begin, Bea
 void RasterTube::State::pass_line(BeamTime end, int line, bool first, TubeScratch& s) {
   const LineRanges ranges = line_ranges(scan, now, end, line);
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    SpotLayer& layer = layers[i];
+    TubeLayer& layer = layers[i];
     const LayerLight& doses = work.doses[layer.signal];
     float* const narrow = work.light[i].narrow.line(line);
     float* const wide = work.light[i].wide.line(line);
@@ -214,18 +213,15 @@ void RasterTube::State::pass_line(BeamTime end, int line, bool first, TubeScratc
       std::fill_n(wide, cells(), 0.0f);
     }
     for (const CellRange& range : ranges.range) {
-      layer.narrow.pass(line, range, doses.narrow.line(line), s.layer, narrow);
-      layer.wide.pass(line, range, doses.wide.line(line), s.layer, wide);
+      layer.phosphor.pass(line, range, {doses.narrow.line(line), doses.wide.line(line)}, s.layer,
+                          {narrow, wide});
     }
   }
 }
 
 void RasterTube::State::pass_window(BeamTime end, Workers& workers) {
   const bool first = std::exchange(fresh, false);
-  for (SpotLayer& layer : layers) {
-    layer.narrow.set_window(to_clocks(end - now));
-    layer.wide.set_window(to_clocks(end - now));
-  }
+  for (TubeLayer& layer : layers) layer.phosphor.set_window(to_clocks(end - now));
   workers.run(tasks_of(lines()), [&](int task, int worker) {
     TubeScratch& s = work.scratch[static_cast<std::size_t>(worker)];
     const int stop = std::min(lines(), (task + 1) * kLinesATask);
@@ -264,10 +260,7 @@ Seconds RasterTube::now() const { return state_->scan.clock().seconds(state_->no
 
 void RasterTube::reset() {
   state_->now = BeamTime();
-  for (SpotLayer& layer : state_->layers) {
-    layer.narrow.darken();
-    layer.wide.darken();
-  }
+  for (TubeLayer& layer : state_->layers) layer.phosphor.darken();
 }
 
 void RasterTube::resize(int width, int height) { state_->set_size(width, height); }

@@ -105,6 +105,20 @@ void Amplify(int n, std::span<const float> response, float scale, const float* v
   });
 }
 
+void AddRows(int n, const float* a, const float* b, float* sum) {
+  for_each_vector(n, [=](auto d, int i) {
+    const auto both = hn::Add(hn::LoadU(d, a + i), hn::LoadU(d, b + i));
+    hn::StoreU(hn::Add(hn::LoadU(d, sum + i), both), d, sum + i);
+  });
+}
+
+void FillRamp(int n, float start, float slope, float* out) {
+  for_each_vector(n, [=](auto d, int i) {
+    const auto at = hn::Iota(d, static_cast<float>(i) + 0.5f);
+    hn::StoreU(hn::MulAdd(hn::Set(d, slope), at, hn::Set(d, start)), d, out + i);
+  });
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace kinescope
@@ -119,6 +133,8 @@ HWY_EXPORT(AddLight);
 HWY_EXPORT(ExciteSlowTerm);
 HWY_EXPORT(ExciteDose);
 HWY_EXPORT(Amplify);
+HWY_EXPORT(AddRows);
+HWY_EXPORT(FillRamp);
 
 void add_scaled(int n, float scale, const float* a, float* out) {
   HWY_DYNAMIC_DISPATCH(AddScaled)(n, scale, a, out);
@@ -147,6 +163,14 @@ void amplify(int n, std::span<const float> response, float scale, const float* v
              const float* narrow_table, const float* wide_table, float* narrow, float* wide) {
   HWY_DYNAMIC_DISPATCH(Amplify)
   (n, response, scale, voltage, narrow_table, wide_table, narrow, wide);
+}
+
+void add_rows(int n, const float* a, const float* b, float* sum) {
+  HWY_DYNAMIC_DISPATCH(AddRows)(n, a, b, sum);
+}
+
+void fill_ramp(int n, float start, float slope, float* out) {
+  HWY_DYNAMIC_DISPATCH(FillRamp)(n, start, slope, out);
 }
 
 }  // namespace kinescope

@@ -36,4 +36,10 @@ void excite_dose(int n, const float* old_weight, float even, const float* new_we
 void amplify(int n, std::span<const float> response, float scale, const float* voltage,
              const float* narrow_table, const float* wide_table, float* narrow, float* wide);
 
+/// sum[i] += a[i] + b[i]
+void add_rows(int n, const float* a, const float* b, float* sum);
+
+/// out[i] = start + slope * (i + 1/2)
+void fill_ramp(int n, float start, float slope, float* out);
+
 }  // namespace kinescope

@@ -30,33 +30,22 @@ void cross_lines(BeamMap& map, int i, int lines) {
   }
 }
 
-/// The largest spread of lines within a tile's width, in any row.
+/// The largest spread of lines within a tile's width and a grid row's height.
 float line_span(const BeamMap& map, int tile_nodes) {
   float largest = 0;
-  for (int j = 0; j < map.rows; ++j) {
+  for (int j = 0; j + 1 < map.rows; ++j) {
     for (int i = 0; i < map.columns; i += tile_nodes) {
-      const auto first = map.line.begin() + static_cast<std::ptrdiff_t>(node(map, i, j));
-      const auto [low, high] =
-          std::minmax_element(first, first + std::min(tile_nodes + 1, map.columns - i));
-      largest = std::max(largest, *high - *low);
+      const int count = std::min(tile_nodes + 1, map.columns - i);
+      const float* above = map.lines_at(j, i);
+      const float* below = map.lines_at(j + 1, i);
+      largest = std::max(largest, *std::max_element(below, below + count) -
+                                      *std::min_element(above, above + count));
     }
   }
   return largest;
 }
 
 }  // namespace
-
-void BeamMap::at_row(int y, int first_node, int nodes, float* line_out, float* pitch_out) const {
-  const int j = std::min(y / kGroup, rows - 2);
-  const float share = static_cast<float>(y - j * kGroup) * (1.0f / kGroup);
-  const float* above = line.data() + node(*this, first_node, j);
-  const float* below = above + columns;
-  for (int i = 0; i < nodes; ++i) line_out[i] = above[i] + share * (below[i] - above[i]);
-  for (int i = 0; i + 1 < nodes; ++i) {
-    const float fall = (below[i] - above[i]) + (below[i + 1] - above[i + 1]);
-    pitch_out[i] = std::max(fall * (0.5f / kGroup), 1e-4f);
-  }
-}
 
 BeamMap beam_map(const TubeSettings& settings, int gun, int cells, int lines, int width, int height,
                  int tile_columns) {

@@ -19,8 +19,10 @@ struct BeamMap {
   const float* cells_of(int line_number) const {
     return cell_on_line.data() + static_cast<std::ptrdiff_t>(line_number) * columns;
   }
-  /// Line and lines a row at node column i in output row y.
-  void at_row(int y, int first_node, int nodes, float* line_out, float* pitch_out) const;
+  /// Lines at the nodes of grid row j, from a node on.
+  const float* lines_at(int j, int first_node) const {
+    return line.data() + static_cast<std::ptrdiff_t>(j) * columns + first_node;
+  }
 };
 
 /// @param tile_columns that are drawn together, so that the ring holds all their lines

@@ -15,6 +15,11 @@ double s_shaped(double t, double share) { return t * (1 + 0.5 * share * (1 - t *
 
 }  // namespace
 
+PixelsAMm pixels_a_mm(const GlassSettings& glass, int width, int height) {
+  const double half = half_height_mm(glass);
+  return {0.5 * width / (half * glass.aspect), 0.5 * height / half};
+}
+
 Deflection::Deflection(const DeflectionSettings& settings, const GlassSettings& glass, int gun)
     : d_(settings),
       error_(settings.convergence[static_cast<std::size_t>(gun)]),

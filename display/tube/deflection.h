@@ -11,6 +11,12 @@ struct Place {
   double x = 0, y = 0;
 };
 
+/// Output pixels a millimetre of glass that fills the output.
+struct PixelsAMm {
+  double across = 0, down = 0;
+};
+PixelsAMm pixels_a_mm(const GlassSettings& glass, int width, int height);
+
 class Deflection {
  public:
   /// @param gun 0 red, 1 green, 2 blue

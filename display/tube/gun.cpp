@@ -30,18 +30,21 @@ std::vector<float> gaussian_response(double bandwidth_hz, double pixel_clock_hz)
   return response;
 }
 
-int code_of(const GunDrive& d, Signal signal) {
+/// Calls body(code_of), by which a gun finds its drive, once for a line rather than for a pixel.
+template <typename Body>
+void with_signal(Signal signal, const Body& body) {
   switch (signal) {
     case Signal::kRed:
-      return d.r;
+      return body([](const GunDrive& d) { return d.r; });
     case Signal::kGreen:
-      return d.g;
+      return body([](const GunDrive& d) { return d.g; });
     case Signal::kBlue:
-      return d.b;
+      return body([](const GunDrive& d) { return d.b; });
     case Signal::kGrey:
-      break;
+      return body([](const GunDrive& d) {
+        return static_cast<std::uint8_t>((77 * d.r + 150 * d.g + 29 * d.b + 128) >> 8);
+      });
   }
-  return (77 * d.r + 150 * d.g + 29 * d.b + 128) >> 8;
 }
 
 }  // namespace
@@ -70,21 +73,22 @@ Gun::Dose Gun::dose(double drive) const {
 
 void Gun::doses(std::span<const GunDrive> drives, Signal signal, std::span<float> voltage,
                 float* narrow, float* wide) const {
-  const int n = static_cast<int>(drives.size());
-  if (response_.size() == 1) {
-    for (const GunDrive& drive : drives) {
-      const Dose d = of_code_[static_cast<std::size_t>(code_of(drive, signal))];
-      *narrow++ = d.narrow;
-      *wide++ = d.wide;
+  const std::size_t n = drives.size(), pad = static_cast<std::size_t>(reach());
+  with_signal(signal, [&](auto code_of) {
+    if (pad == 0) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const Dose d = of_code_[code_of(drives[i])];
+        narrow[i] = d.narrow;
+        wide[i] = d.wide;
+      }
+    } else {
+      for (std::size_t i = 0; i < n; ++i) voltage[pad + i] = code_of(drives[i]);
     }
-    return;
-  }
-  const std::ptrdiff_t pad = reach();
+  });
+  if (pad == 0) return;
   std::fill_n(voltage.begin(), pad, 0.0f);
-  std::transform(drives.begin(), drives.end(), voltage.begin() + pad,
-                 [signal](const GunDrive& d) { return static_cast<float>(code_of(d, signal)); });
-  std::fill_n(voltage.begin() + pad + n, pad, 0.0f);
-  amplify(n, {response_.data(), response_.size()}, kChords / 255.0f, voltage.data(), narrow_.data(),
+  std::fill_n(voltage.begin() + static_cast<std::ptrdiff_t>(pad + n), pad, 0.0f);
+  amplify(static_cast<int>(n), response_, kChords / 255.0f, voltage.data(), narrow_.data(),
           wide_.data(), narrow, wide);
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "display/tube/deflection.h"
+#include "display/tube_kernels.h"
 
 namespace kinescope {
 namespace {
@@ -14,10 +16,12 @@ constexpr int kLeastStep = 4, kMostStep = 32;
 }  // namespace
 
 Halation::Halation(const TubeSettings& s, int width, int height)
-    : share_(static_cast<float>(s.glass.halation)), width_(width) {
+    : share_(static_cast<float>(s.glass.halation)),
+      width_(width),
+      cells_(s.mode.horizontal.active),
+      lines_(s.mode.vertical.active) {
   if (share_ <= 0) return;
-  const double height_mm = s.glass.diagonal_mm / std::hypot(s.glass.aspect, 1.0);
-  const double sigma_pixels = s.glass.halation_mm * height / height_mm;
+  const double sigma_pixels = s.glass.halation_mm * pixels_a_mm(s.glass, width, height).down;
   step_ = std::clamp(static_cast<int>(sigma_pixels / kStepsASigma), kLeastStep, kMostStep);
   coarse_width_ = (width + step_ - 1) / step_ + 1;
   coarse_height_ = (height + step_ - 1) / step_ + 1;
@@ -27,48 +31,59 @@ Halation::Halation(const TubeSettings& s, int width, int height)
     kernel_.push_back(static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma))));
     sum += (i == 0 ? 1 : 2) * static_cast<double>(kernel_.back());
   }
-  for (float& k : kernel_) k = static_cast<float>(k / sum);
+  for (float& k : kernel_) k = static_cast<float>(static_cast<double>(k) / sum);
 
+  block_cells_ = std::max(1, step_ * cells_ / width);
+  block_lines_ = std::max(1, step_ * lines_ / height);
+  blocks_across_ = (cells_ + block_cells_ - 1) / block_cells_ + 2;
+  blocks_down_ = (lines_ + block_lines_ - 1) / block_lines_ + 2;
   const Deflection deflection(s.deflection, s.glass, 1);
   const Camera camera(s.glass);
-  const int cells = s.mode.horizontal.active, lines = s.mode.vertical.active;
-  const auto sweep_at = [&](double x, double y) {
-    return deflection.sweep_of_glass(
-        camera.glass_of_picture({2 * x / width - 1, 2 * y / height - 1}));
-  };
-  const auto range = [](double from, double to, int count) {
-    const int begin = static_cast<int>(std::lround(0.5 * (from + 1) * count));
-    const int end = std::max(begin + 1, static_cast<int>(std::lround(0.5 * (to + 1) * count)));
-    if (end <= 0 || begin >= count) return Range{};
-    return Range{std::max(begin, 0), std::min(end, count)};
-  };
   for (int j = 0; j < coarse_height_; ++j) {
     for (int i = 0; i < coarse_width_; ++i) {
-      const double x = i * step_, y = j * step_, half = 0.5 * step_;
-      patches_.push_back({range(sweep_at(x - half, y).x, sweep_at(x + half, y).x, cells),
-                          range(sweep_at(x, y - half).y, sweep_at(x, y + half).y, lines)});
+      const Place picture{2.0 * i * step_ / width - 1, 2.0 * j * step_ / height - 1};
+      const Place sweep = deflection.sweep_of_glass(camera.glass_of_picture(picture));
+      // Blocks' middles are at halves; block 0 is the dark one.
+      const double x = 0.5 * (sweep.x + 1) * cells_ / block_cells_ + 0.5;
+      const double y = 0.5 * (sweep.y + 1) * lines_ / block_lines_ + 0.5;
+      const double left = std::clamp(std::floor(x), 0.0, blocks_across_ - 2.0);
+      const double top = std::clamp(std::floor(y), 0.0, blocks_down_ - 2.0);
+      samples_.push_back({static_cast<int>(top) * blocks_across_ + static_cast<int>(left),
+                          static_cast<float>(std::clamp(x - left, 0.0, 1.0)),
+                          static_cast<float>(std::clamp(y - top, 0.0, 1.0))});
     }
   }
 }
 
-void Halation::pool(const LayerLight& light, int row, float* out) const {
-  const Patch* patch = patches_.data() + static_cast<std::ptrdiff_t>(row) * coarse_width_;
-  for (int i = 0; i < coarse_width_; ++i, ++patch) {
-    float sum = 0;
-    for (int line = patch->lines.begin; line < patch->lines.end; ++line) {
-      const float* narrow = light.narrow.line(line);
-      const float* wide = light.wide.line(line);
-      for (int c = patch->cells.begin; c < patch->cells.end; ++c) sum += narrow[c] + wide[c];
-    }
-    const int count =
-        (patch->lines.end - patch->lines.begin) * (patch->cells.end - patch->cells.begin);
-    out[i] = count > 0 ? sum / static_cast<float>(count) : 0;
+/// Means of a row of blocks; `row` 0 is the first that holds light.
+void Halation::pool(const LayerLight& light, int row, Plane& sums, Plane& blocks) const {
+  const int first = row * block_lines_, last = std::min(lines_, first + block_lines_);
+  sums.assign(static_cast<std::size_t>(cells_), 0.0f);
+  for (int line = first; line < last; ++line) {
+    add_rows(cells_, light.narrow.line(line), light.wide.line(line), sums.data());
+  }
+  float* out = blocks.data() + static_cast<std::ptrdiff_t>(row + 1) * blocks_across_ + 1;
+  for (int begin = 0; begin < cells_; begin += block_cells_, ++out) {
+    const int end = std::min(cells_, begin + block_cells_);
+    const float sum = std::accumulate(sums.begin() + begin, sums.begin() + end, 0.0f);
+    *out = sum / static_cast<float>((end - begin) * (last - first));
   }
 }
 
-void Halation::blur(std::vector<float>& coarse) const {
+void Halation::look_up(const Plane& blocks, Plane& coarse) const {
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const Sample& s = samples_[i];
+    const float* above = blocks.data() + s.at;
+    const float* below = above + blocks_across_;
+    const float top = above[0] + s.right * (above[1] - above[0]);
+    const float bottom = below[0] + s.right * (below[1] - below[0]);
+    coarse[i] = top + s.down * (bottom - top);
+  }
+}
+
+void Halation::blur(Plane& coarse) const {
   const int reach = static_cast<int>(kernel_.size()) - 1;
-  std::vector<float> line;
+  Plane line;
   const auto along = [&](float* at, std::ptrdiff_t stride, int count) {
     line.assign(static_cast<std::size_t>(count + 2 * reach), 0.0f);
     for (int i = 0; i < count; ++i) line[static_cast<std::size_t>(i + reach)] = at[i * stride];
@@ -87,50 +102,49 @@ void Halation::blur(std::vector<float>& coarse) const {
   for (int i = 0; i < coarse_width_; ++i) along(coarse.data() + i, coarse_width_, coarse_height_);
 }
 
-void Halation::widen(const std::vector<float>& coarse, int row, float* out) const {
+void Halation::widen(const Plane& coarse, int row, float glow, float* out) const {
   const float* from = coarse.data() + static_cast<std::ptrdiff_t>(row) * coarse_width_;
-  const float glow = share_ / (1 - share_), step = 1.0f / static_cast<float>(step_);
   for (int i = 0; i + 1 < coarse_width_; ++i) {
-    const float a = glow * from[i], slope = glow * (from[i + 1] - from[i]) * step;
-    for (int x = 0; x < step_ && i * step_ + x < width_; ++x) {
-      // Pixels' middles are half a pixel beyond their number.
-      out[i * step_ + x] = a + slope * (static_cast<float>(x) + 0.5f);
-    }
+    // Pixels' middles are half a pixel beyond their number.
+    fill_ramp(std::min(step_, width_ - i * step_), glow * from[i],
+              glow * (from[i + 1] - from[i]) / static_cast<float>(step_), out + i * step_);
   }
 }
 
-void Halation::gather(std::span<const LayerLight> light, Workers& workers) {
+void Halation::gather(std::span<const LayerLight> light, float unit, Workers& workers) {
   if (share_ <= 0) return;
-  const std::size_t count = static_cast<std::size_t>(coarse_width_ * coarse_height_);
+  const int layers = static_cast<int>(light.size()), rows = blocks_down_ - 2;
   for (std::size_t layer = 0; layer < light.size(); ++layer) {
-    coarse_[layer].resize(count);
+    blocks_[layer].resize(static_cast<std::size_t>(blocks_across_ * blocks_down_), 0.0f);
+    coarse_[layer].resize(samples_.size());
     fine_[layer].resize(static_cast<std::size_t>(fine_pitch() * coarse_height_));
   }
-  const int layers = static_cast<int>(light.size());
-  workers.run(layers * coarse_height_, [&](int task, int) {
+  sums_.resize(static_cast<std::size_t>(workers.count()));
+  workers.run(layers * rows, [&](int task, int worker) {
     const std::size_t layer = static_cast<std::size_t>(task % layers);
-    const int row = task / layers;
-    pool(light[layer], row,
-         coarse_[layer].data() + static_cast<std::ptrdiff_t>(row) * coarse_width_);
+    pool(light[layer], task / layers, sums_[static_cast<std::size_t>(worker)], blocks_[layer]);
   });
-  workers.run(layers, [&](int layer, int) { blur(coarse_[static_cast<std::size_t>(layer)]); });
-  workers.run(layers * coarse_height_, [&](int task, int) {
-    const std::size_t layer = static_cast<std::size_t>(task % layers);
-    const int row = task / layers;
-    widen(coarse_[layer], row, fine_[layer].data() + row * fine_pitch());
+  workers.run(layers, [&](int task, int) {
+    const std::size_t layer = static_cast<std::size_t>(task);
+    look_up(blocks_[layer], coarse_[layer]);
+    blur(coarse_[layer]);
+  });
+  const float glow = unit * share_ / (1 - share_);
+  workers.run(coarse_height_, [&](int row, int) {
+    for (std::size_t layer = 0; layer < light.size(); ++layer) {
+      widen(coarse_[layer], row, glow, fine_[layer].data() + row * fine_pitch());
+    }
   });
 }
 
-void Halation::rows(std::size_t layer, int y, int x, const float*& above, const float*& below,
-                    float& below_share) const {
-  if (share_ <= 0) {
-    above = below = nullptr;
-    return;
-  }
+float Halation::rows(std::size_t layer, int y, int x, const float*& above,
+                     const float*& below) const {
+  above = below = nullptr;
+  if (share_ <= 0) return 0;
   const int row = y / step_;
-  below_share = (static_cast<float>(y - row * step_) + 0.5f) / static_cast<float>(step_);
   above = fine_[layer].data() + row * fine_pitch() + x;
   below = above + fine_pitch();
+  return (static_cast<float>(y - row * step_) + 0.5f) / static_cast<float>(step_);
 }
 
 }  // namespace kinescope

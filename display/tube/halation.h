@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "display/tube/finish_kernels.h"
 #include "display/tube/light_planes.h"
 #include "display/tube/settings.h"
 #include "raster/base/workers.h"
@@ -19,30 +20,36 @@ class Halation {
 
   /// The share of light that goes astray.
   float share() const { return share_; }
-  void gather(std::span<const LayerLight> light, Workers& workers);
-  /// The glow, over what light is left, at pixel (x, y) and on: two coarse rows, and how much of
-  /// the lower one. Null if there is none.
-  void rows(std::size_t layer, int y, int x, const float*& above, const float*& below,
-            float& below_share) const;
+  /// Finds the glow, over what light is left, times `unit`.
+  void gather(std::span<const LayerLight> light, float unit, Workers& workers);
+  /// The glow at pixel (x, y) and on: two coarse rows, null if there is none.
+  /// @return how much of the lower one
+  float rows(std::size_t layer, int y, int x, const float*& above, const float*& below) const;
 
  private:
-  struct Range {
-    int begin = 0, end = 0;
+  /// Where a coarse pixel lies among blocks of cells: the one above and left of it, and how far
+  /// from there.
+  struct Sample {
+    int at = 0;
+    float right = 0, down = 0;
   };
-  struct Patch {  // of cells that a coarse pixel shows
-    Range cells, lines;
-  };
-  void pool(const LayerLight& light, int row, float* out) const;
-  void blur(std::vector<float>& coarse) const;
-  void widen(const std::vector<float>& coarse, int row, float* out) const;
+  using Plane = std::vector<float>;
+
+  void pool(const LayerLight& light, int row, Plane& sums, Plane& blocks) const;
+  void look_up(const Plane& blocks, Plane& coarse) const;
+  void blur(Plane& coarse) const;
+  void widen(const Plane& coarse, int row, float glow, float* out) const;
   std::ptrdiff_t fine_pitch() const { return width_ + 16; }
 
   float share_ = 0;
   int step_ = 8;  // output pixels a coarse one
-  int width_ = 0, coarse_width_ = 0, coarse_height_ = 0;
-  std::vector<Patch> patches_;
+  int width_ = 0, cells_ = 0, lines_ = 0, coarse_width_ = 0, coarse_height_ = 0;
+  int block_cells_ = 1, block_lines_ = 1;    // in a block
+  int blocks_across_ = 0, blocks_down_ = 0;  // with a dark one on each side
+  std::vector<Sample> samples_;
   std::vector<float> kernel_;  // from its middle on
-  std::array<std::vector<float>, 3> coarse_, fine_;
+  std::array<Plane, kMostLayers> blocks_, coarse_, fine_;
+  std::vector<Plane> sums_;  // of each worker
 };
 
 }  // namespace kinescope

@@ -17,15 +17,16 @@ class ShadowMask {
   ShadowMask() = default;
   ShadowMask(const MaskSettings& mask, const GlassSettings& glass, int width, int height);
 
-  /// Transmission in units of 1/kOne, its mean being 1, from pixel (x, y) on; null if all is let
+  /// Transmission in units of 1/one(), its mean being 1, from pixel (x, y) on; null if all is let
   /// through.
-  static constexpr int kOne = 64;
+  float one() const { return planes_[0].empty() ? 1.0f : kOne; }
   const std::uint8_t* row(int gun, int y, int x) const {
     const auto& plane = planes_[static_cast<std::size_t>(gun)];
     return plane.empty() ? nullptr : plane.data() + y * pitch_ + x;
   }
 
  private:
+  static constexpr int kOne = 64;
   std::array<std::vector<std::uint8_t>, 3> planes_;
   std::ptrdiff_t pitch_ = 0;
 };

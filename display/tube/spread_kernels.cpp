@@ -23,17 +23,15 @@ constexpr I di;
 HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(d)); }
 HWY_INLINE Floats set(float v) { return hn::Set(d, v); }
 
-/// 2^x for x <= 0, to 3e-6; 0 far below.
+/// 2^x for x in [-126, 0], to 8e-5. Adding 1.5 * 2^23 leaves the whole part in the lowest bits.
 HWY_INLINE Floats exp2_below(Floats x) {
-  x = hn::Max(x, set(-126.0f));
-  const Floats whole = hn::Round(x);
-  const Floats f = hn::Sub(x, whole);
-  Floats p = hn::MulAdd(set(0.00956051f), f, set(0.05591712f));
-  p = hn::MulAdd(p, f, set(0.24024981f));
-  p = hn::MulAdd(p, f, set(0.69312196f));
-  p = hn::MulAdd(p, f, set(0.99999919f));
-  const auto exponent = hn::ShiftLeft<23>(hn::ConvertTo(di, whole));
-  return hn::BitCast(d, hn::Add(hn::BitCast(di, p), exponent));
+  const Floats shifter = set(12582912.0f);
+  const Floats shifted = hn::Add(x, shifter);
+  const Floats f = hn::Sub(x, hn::Sub(shifted, shifter));
+  Floats p = hn::MulAdd(set(0.055088767f), f, set(0.24260466f));
+  p = hn::MulAdd(p, f, set(0.69327628f));
+  p = hn::MulAdd(p, f, set(0.99992890f));
+  return hn::BitCast(d, hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(hn::BitCast(di, shifted))));
 }
 
 /// A normal distribution's share below z deviations, less a half; cut at 3 and scaled to reach it.
@@ -111,49 +109,69 @@ HWY_INLINE Floats share_between(Floats& below, Floats& z, Floats step) {
   return share;
 }
 
-void SpreadAcrossCurve(const AcrossCurve& curve, CellRows cells, SpreadRows out) {
+/// One group's columns: where they lie, and how much of a pixel's width a deviation is.
+struct CurvePlace {
+  Floats cell, start;
+  Floats narrow_step, wide_step;  // deviations a cell
+};
+
+template <int kTaps>
+HWY_INLINE Pair CurvedSum(const CurvePlace& place, CellRows cells) {
+  const auto first = hn::ConvertTo(di, place.start);
+  const int base = hn::GetLane(first);
+  const auto lane =
+      hn::IndicesFromVec(d, hn::Min(hn::Sub(first, hn::Set(di, base)), hn::Set(di, lanes() - 1)));
+  const Floats before = hn::Sub(place.start, place.cell);
+  Floats narrow_z = hn::Mul(before, place.narrow_step), wide_z = hn::Mul(before, place.wide_step);
+  Floats narrow_below = normal_below(narrow_z), wide_below = normal_below(wide_z);
+  Pair sum{hn::Zero(d), hn::Zero(d)};
+#pragma GCC unroll 6
+  for (int t = 0; t < kTaps; ++t) {
+    const Floats n = hn::TableLookupLanes(hn::LoadU(d, cells.narrow + base + t), lane);
+    const Floats w = hn::TableLookupLanes(hn::LoadU(d, cells.wide + base + t), lane);
+    sum.narrow =
+        hn::MulAdd(n, share_between(narrow_below, narrow_z, place.narrow_step), sum.narrow);
+    sum.wide = hn::MulAdd(w, share_between(wide_below, wide_z, place.wide_step), sum.wide);
+  }
+  return sum;
+}
+
+template <int kTaps>
+HWY_INLINE void AlongCurve(const AcrossCurve& curve, CellRows cells, SpreadRows out) {
   const Floats ramp = hn::Iota(d, 0);
+  // Columns beside the line see the dark cells that lie there.
+  const Floats least = set(-kCellPad);
+  const Floats most = set(static_cast<float>(curve.cells + kCellPad - kGroup - kTaps));
   for (int group = 0; group < curve.groups; ++group) {
     const float slope = (curve.cell[group + 1] - curve.cell[group]) * (1.0f / kGroup);
     const float pixels_a_cell = 1 / std::max(slope, 1e-6f);
-    const Floats narrow_step = set(pixels_a_cell / curve.narrow_pixels);
-    const Floats wide_step = set(pixels_a_cell / curve.wide_pixels);
     const Floats gain = set(slope / curve.cells_a_pixel);
+    CurvePlace place{};
+    place.narrow_step = set(pixels_a_cell / curve.narrow_pixels);
+    place.wide_step = set(pixels_a_cell / curve.wide_pixels);
     for (int x = 0; x < kGroup; x += lanes()) {
-      const Floats cell =
+      place.cell =
           hn::MulAdd(set(slope), hn::Add(ramp, set(static_cast<float>(x))), set(curve.cell[group]));
-      // Columns beside the line see the dark cells that follow it.
-      const Floats start =
-          hn::Min(hn::Max(hn::Floor(hn::Sub(cell, set(0.5f * kCellTaps - 0.5f))), set(-kCellPad)),
-                  set(static_cast<float>(curve.cells + kCellPad - kGroup - kCellTaps)));
-      const auto first = hn::ConvertTo(di, start);
-      const int base = hn::GetLane(first);
-      const auto step = hn::Sub(first, hn::Set(di, base));
-      const auto lane = hn::IndicesFromVec(d, hn::Min(step, hn::Set(di, lanes() - 1)));
-      Floats narrow_z = hn::Mul(hn::Sub(start, cell), narrow_step);
-      Floats wide_z = hn::Mul(hn::Sub(start, cell), wide_step);
-      Floats narrow_below = normal_below(narrow_z), wide_below = normal_below(wide_z);
-      Pair sum{hn::Zero(d), hn::Zero(d)};
-#pragma GCC unroll 6
-      for (int t = 0; t < kCellTaps; ++t) {
-        const Floats n = hn::TableLookupLanes(hn::LoadU(d, cells.narrow + base + t), lane);
-        const Floats w = hn::TableLookupLanes(hn::LoadU(d, cells.wide + base + t), lane);
-        sum.narrow = hn::MulAdd(n, share_between(narrow_below, narrow_z, narrow_step), sum.narrow);
-        sum.wide = hn::MulAdd(w, share_between(wide_below, wide_z, wide_step), sum.wide);
-      }
+      const Floats start = hn::Floor(hn::Sub(place.cell, set(0.5f * kTaps - 0.5f)));
+      place.start = hn::Min(hn::Max(start, least), most);
+      const Pair sum = CurvedSum<kTaps>(place, cells);
       hn::StoreU(hn::Mul(sum.narrow, gain), d, out.narrow + group * kGroup + x);
       hn::StoreU(hn::Mul(sum.wide, gain), d, out.wide + group * kGroup + x);
     }
   }
 }
 
-template <int kTaps>
-HWY_INLINE void DownBy(int groups, int any_taps, const float* const* narrow_rows,
-                       const float* const* wide_rows, const float* narrow_weight,
-                       const float* wide_weight, float* out) {
+void SpreadAcrossCurve(const AcrossCurve& curve, CellRows cells, SpreadRows out) {
+  curve.taps <= 4 ? AlongCurve<4>(curve, cells, out) : AlongCurve<6>(curve, cells, out);
+}
+
+template <int kTaps, bool kAdd>
+void DownBy(int groups, int any_taps, const float* const* narrow_rows,
+            const float* const* wide_rows, const float* narrow_weight, const float* wide_weight,
+            float* out) {
   const int taps = kTaps > 0 ? kTaps : any_taps;
   for (int x = 0; x < groups * kGroup; x += lanes()) {
-    Pair sum{hn::Zero(d), hn::Zero(d)};
+    Pair sum{kAdd ? hn::LoadU(d, out + x) : hn::Zero(d), hn::Zero(d)};
 #pragma GCC unroll 6
     for (int t = 0; t < taps; ++t) {
       sum.narrow = hn::MulAdd(set(narrow_weight[t]), hn::LoadU(d, narrow_rows[t] + x), sum.narrow);
@@ -165,133 +183,61 @@ HWY_INLINE void DownBy(int groups, int any_taps, const float* const* narrow_rows
 
 void SpreadDown(int groups, int taps, const float* const* narrow_rows,
                 const float* const* wide_rows, const float* narrow_weight, const float* wide_weight,
-                float* out) {
+                bool add, float* out) {
+  const auto by = [=](auto down) {
+    down(groups, taps, narrow_rows, wide_rows, narrow_weight, wide_weight, out);
+  };
+  if (add) return by(DownBy<0, true>);
   switch (taps) {
     case 2:
-      return DownBy<2>(groups, taps, narrow_rows, wide_rows, narrow_weight, wide_weight, out);
+      return by(DownBy<2, false>);
     case 3:
-      return DownBy<3>(groups, taps, narrow_rows, wide_rows, narrow_weight, wide_weight, out);
+      return by(DownBy<3, false>);
     case 4:
-      return DownBy<4>(groups, taps, narrow_rows, wide_rows, narrow_weight, wide_weight, out);
+      return by(DownBy<4, false>);
     default:
-      return DownBy<0>(groups, taps, narrow_rows, wide_rows, narrow_weight, wide_weight, out);
+      return by(DownBy<0, false>);
   }
 }
 
 void SpreadDownCurve(const DownCurve& curve, float* out) {
   constexpr float kLog2E = 1.44269504f, kInverseRoot2Pi = 0.39894228f;
   const Floats ramp = hn::Iota(d, 0);
+  const auto line_at = [&](int node) {
+    return curve.above[node] + curve.share * (curve.below[node] - curve.above[node]);
+  };
+  float from = line_at(0);
   for (int group = 0; group < curve.groups; ++group) {
-    const float from = curve.line[group], to = curve.line[group + 1];
-    const float pitch = curve.pitch[group];
-    const float narrow_lines = curve.narrow_pixels * pitch, wide_lines = curve.wide_pixels * pitch;
-    const float brightness = kInverseRoot2Pi * pitch / curve.lines_a_pixel;
-    const Floats narrow_fall = set(-0.5f * kLog2E / (narrow_lines * narrow_lines));
-    const Floats wide_fall = set(-0.5f * kLog2E / (wide_lines * wide_lines));
+    const float to = line_at(group + 1);
+    const float fall = (curve.below[group] - curve.above[group]) +
+                       (curve.below[group + 1] - curve.above[group + 1]);
+    const float pitch = std::max(fall * (0.5f / kGroup), curve.least_pitch);
+    const float lines = 1 / pitch;
+    // The narrow Gaussian's brightness is taken into the wide one's sum, and both at the end.
+    const float brightness = kInverseRoot2Pi / (curve.lines_a_pixel * curve.narrow_pixels);
+    const float narrow_fall = -0.5f * kLog2E * lines * lines * curve.narrow_sharpness;
+    const float wide_fall = -0.5f * kLog2E * lines * lines * curve.wide_sharpness;
     const int base = static_cast<int>(std::floor(0.5f * (from + to) - 0.5f * kLineTaps + 1.0f));
     for (int x = 0; x < kGroup; x += lanes()) {
-      const Floats along = hn::Add(ramp, set(static_cast<float>(x)));
-      Floats away = hn::MulAdd(set((to - from) * (1.0f / kGroup)), along,
-                               set(from - static_cast<float>(base)));
+      Floats away =
+          hn::MulAdd(set((to - from) * (1.0f / kGroup)), hn::Add(ramp, set(static_cast<float>(x))),
+                     set(from - static_cast<float>(base)));
       Pair sum{hn::Zero(d), hn::Zero(d)};
 #pragma GCC unroll 4
       for (int t = 0; t < kLineTaps; ++t, away = hn::Sub(away, set(1.0f))) {
         const int row = ((base + t) & curve.ring_mask) * curve.ring_pitch + group * kGroup + x;
         const Floats q = hn::Mul(away, away);
-        sum.narrow = hn::MulAdd(exp2_below(hn::Mul(q, narrow_fall)),
+        sum.narrow = hn::MulAdd(exp2_below(hn::Mul(q, set(narrow_fall))),
                                 hn::LoadU(d, curve.narrow_ring + row), sum.narrow);
-        sum.wide = hn::MulAdd(exp2_below(hn::Mul(q, wide_fall)),
+        sum.wide = hn::MulAdd(exp2_below(hn::Mul(q, set(wide_fall))),
                               hn::LoadU(d, curve.wide_ring + row), sum.wide);
       }
-      const Floats narrow = hn::Mul(sum.narrow, set(brightness / narrow_lines));
-      hn::StoreU(hn::MulAdd(sum.wide, set(brightness / wide_lines), narrow), d,
-                 out + group * kGroup + x);
+      const Floats both =
+          hn::MulAdd(sum.wide, set(curve.narrow_pixels / curve.wide_pixels), sum.narrow);
+      hn::StoreU(hn::Mul(both, set(brightness)), d, out + group * kGroup + x);
     }
+    from = to;
   }
-}
-
-struct Colour {
-  Floats c[3];
-};
-
-/// The colour of `kLanes` pixels from x on, past mask and glass.
-template <int kGuns>
-HWY_INLINE Colour finished(const FinishRow& row, int x) {
-  const hn::Rebind<std::uint8_t, F> d8;
-  Colour sum{{set(row.ambient[0]), set(row.ambient[1]), set(row.ambient[2])}};
-  for (int gun = 0; gun < kGuns; ++gun) {
-    Floats light = hn::LoadU(d, row.light[gun] + x);
-    if (row.mask[gun]) {
-      const auto open = hn::PromoteTo(di, hn::LoadU(d8, row.mask[gun] + x));
-      light = hn::Mul(light, hn::Mul(hn::ConvertTo(d, open), set(1.0f / 64)));
-    }
-    if (row.glow[gun]) {
-      const Floats above = hn::LoadU(d, row.glow[gun] + x);
-      const Floats below = hn::LoadU(d, row.glow_below[gun] + x);
-      light = hn::Add(light, hn::MulAdd(hn::Sub(below, above), set(row.glow_share), above));
-    }
-    for (int c = 0; c < 3; ++c) sum.c[c] = hn::MulAdd(light, set(row.colour[gun][c]), sum.c[c]);
-  }
-  return sum;
-}
-
-template <int kGuns>
-HWY_INLINE void FinishLightOf(const FinishRow& row, int n, bool add, LinearRgb* out) {
-  float* to = &out->r;
-  HWY_ALIGN float tail[3 * kGroup];
-  for (int x = 0; x < n; x += lanes()) {
-    const Colour colour = finished<kGuns>(row, x);
-    const int count = 3 * std::min(lanes(), n - x);
-    if (!add && count == 3 * lanes()) {
-      hn::StoreInterleaved3(colour.c[0], colour.c[1], colour.c[2], d, to + 3 * x);
-      continue;
-    }
-    hn::StoreInterleaved3(colour.c[0], colour.c[1], colour.c[2], d, tail);
-    for (int i = 0; i < count; ++i) to[3 * x + i] = add ? to[3 * x + i] + tail[i] : tail[i];
-  }
-}
-
-void FinishLight(const FinishRow& row, int n, bool add, LinearRgb* out) {
-  row.guns == 1 ? FinishLightOf<1>(row, n, add, out) : FinishLightOf<3>(row, n, add, out);
-}
-
-/// sRGB codes by a polynomial in the square root, and the straight line below.
-HWY_INLINE hn::Vec<I> code_of(Floats x) {
-  x = hn::Min(hn::Max(x, hn::Zero(d)), set(1.0f));
-  const Floats s = hn::Sqrt(x);
-  Floats p = hn::MulAdd(set(131.909793f), s, set(-414.026958f));
-  p = hn::MulAdd(p, s, set(518.046379f));
-  p = hn::MulAdd(p, s, set(-357.695930f));
-  p = hn::MulAdd(p, s, set(387.077217f));
-  p = hn::MulAdd(p, s, set(-10.2279443f));
-  const Floats straight = hn::Mul(x, set(12.92f * 255));
-  return hn::NearestInt(hn::IfThenElse(hn::Lt(x, set(0.0031308f)), straight, p));
-}
-
-template <int kGuns>
-HWY_INLINE void FinishEncodedOf(const FinishRow& row, int n, float gain, Srgb8* out) {
-  std::uint32_t* to = reinterpret_cast<std::uint32_t*>(out);
-  const hn::RebindToUnsigned<F> du;
-  HWY_ALIGN std::uint32_t tail[kGroup];
-  for (int x = 0; x < n; x += lanes()) {
-    const Colour colour = finished<kGuns>(row, x);
-    const auto r = code_of(hn::Mul(colour.c[0], set(gain)));
-    const auto g = code_of(hn::Mul(colour.c[1], set(gain)));
-    const auto b = code_of(hn::Mul(colour.c[2], set(gain)));
-    const auto packed =
-        hn::Or(hn::Or(r, hn::ShiftLeft<8>(g)),
-               hn::Or(hn::ShiftLeft<16>(b), hn::Set(di, static_cast<std::int32_t>(0xff000000u))));
-    if (x + lanes() <= n) {
-      hn::StoreU(hn::BitCast(du, packed), du, to + x);
-    } else {
-      hn::StoreU(hn::BitCast(du, packed), du, tail);
-      std::copy_n(tail, n - x, to + x);
-    }
-  }
-}
-
-void FinishEncoded(const FinishRow& row, int n, float gain, Srgb8* out) {
-  row.guns == 1 ? FinishEncodedOf<1>(row, n, gain, out) : FinishEncodedOf<3>(row, n, gain, out);
 }
 
 }  // namespace
@@ -306,8 +252,6 @@ HWY_EXPORT(SpreadAcross);
 HWY_EXPORT(SpreadAcrossCurve);
 HWY_EXPORT(SpreadDown);
 HWY_EXPORT(SpreadDownCurve);
-HWY_EXPORT(FinishLight);
-HWY_EXPORT(FinishEncoded);
 
 void spread_across(const AcrossTable& table, CellRows cells, SpreadRows out) {
   HWY_DYNAMIC_DISPATCH(SpreadAcross)(table, cells, out);
@@ -317,19 +261,12 @@ void spread_across_curve(const AcrossCurve& curve, CellRows cells, SpreadRows ou
 }
 void spread_down(int groups, int taps, const float* const* narrow_rows,
                  const float* const* wide_rows, const float* narrow_weight,
-                 const float* wide_weight, float* out) {
+                 const float* wide_weight, bool add, float* out) {
   HWY_DYNAMIC_DISPATCH(SpreadDown)
-  (groups, taps, narrow_rows, wide_rows, narrow_weight, wide_weight, out);
+  (groups, taps, narrow_rows, wide_rows, narrow_weight, wide_weight, add, out);
 }
 void spread_down_curve(const DownCurve& curve, float* out) {
   HWY_DYNAMIC_DISPATCH(SpreadDownCurve)(curve, out);
 }
-void finish_light(const FinishRow& row, int n, bool add, LinearRgb* out) {
-  HWY_DYNAMIC_DISPATCH(FinishLight)(row, n, add, out);
-}
-void finish_encoded(const FinishRow& row, int n, float gain, Srgb8* out) {
-  HWY_DYNAMIC_DISPATCH(FinishEncoded)(row, n, gain, out);
-}
-
 }  // namespace kinescope
 #endif  // HWY_ONCE
