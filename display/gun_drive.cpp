@@ -13,25 +13,24 @@ glm::dvec3 vector_of(LinearRgb c) { return {c.r, c.g, c.b}; }
 
 }  // namespace
 
-std::vector<const Phosphor*> faceplate_phosphors(const std::string& name) {
-  if (name != "P22") return {&find_phosphor(name)};
-  return {&find_phosphor("P22R"), &find_phosphor("P22G"), &find_phosphor("P22B")};
-}
-
-std::array<std::array<float, 3>, 3> layer_colours(std::span<const Phosphor* const> layers) {
-  std::array<std::array<float, 3>, 3> colours{};
-  const auto set = [&](std::size_t layer, glm::dvec3 c) {
-    colours[layer] = {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
-  };
-  if (layers.size() == 1) {
-    const glm::dvec3 hue = vector_of(layers[0]->colour);
-    set(0, hue / std::max({hue.x, hue.y, hue.z}));
-    return colours;
+std::array<std::array<float, 3>, 3> layer_colours(const PhosphorType& type) {
+  std::array<glm::dvec3, 3> colour{};
+  glm::dvec3 mixture(0);
+  for (std::size_t i = 0; i < type.layers.size(); ++i) {
+    mixture += colour[i] = type.layers[i].share * vector_of(type.layers[i].colour);
   }
-  const glm::dmat3 rgb_from_guns(vector_of(layers[0]->colour), vector_of(layers[1]->colour),
-                                 vector_of(layers[2]->colour));
-  const glm::dvec3 luminance = glm::inverse(rgb_from_guns) * glm::dvec3(1, 1, 1);
-  for (int i = 0; i < 3; ++i) set(static_cast<std::size_t>(i), rgb_from_guns[i] * luminance[i]);
+  if (type.colour) {
+    const glm::dmat3 rgb_from_guns(colour[0], colour[1], colour[2]);
+    const glm::dvec3 luminance = glm::inverse(rgb_from_guns) * glm::dvec3(1, 1, 1);
+    for (int i = 0; i < 3; ++i) colour[static_cast<std::size_t>(i)] *= luminance[i];
+  } else {
+    for (glm::dvec3& c : colour) c /= std::max({mixture.x, mixture.y, mixture.z});
+  }
+  std::array<std::array<float, 3>, 3> colours{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    colours[i] = {static_cast<float>(colour[i].x), static_cast<float>(colour[i].y),
+                  static_cast<float>(colour[i].z)};
+  }
   return colours;
 }
 

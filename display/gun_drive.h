@@ -3,21 +3,16 @@
 
 #include <array>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "display/frame_buffer.h"
 #include "display/phosphor.h"
 
 namespace kinescope {
 
-/// The layers of a faceplate: three of P22, or one of a monochrome type.
-/// @throws Error (usage) naming the phosphors there are
-std::vector<const Phosphor*> faceplate_phosphors(const std::string& name);
-
-/// Each layer's linear sRGB at full drive: three layers make white (1, 1, 1) together; one layer
-/// has its hue with the largest channel at 1.
-std::array<std::array<float, 3>, 3> layer_colours(std::span<const Phosphor* const> layers);
+/// Each layer's linear sRGB at full drive: three layers make white (1, 1, 1) together; those of a
+/// monochrome type have the hue of their mixture, its largest channel at 1. Layers that the type
+/// lacks are black.
+std::array<std::array<float, 3>, 3> layer_colours(const PhosphorType& type);
 
 /// Light of a gun by its drive: (drive / 255) ^ gamma, 1 at full drive.
 class GunCurve {

@@ -106,6 +106,7 @@ struct RasterTube::State {
   bool fresh = true;  // no window of this exposure has passed yet
   std::vector<PhosphorLayer> layers;
   std::array<std::array<float, 3>, 3> colours{};
+  bool three_guns = false;  // or one, for all layers
   AxisWeights across, down;
   int width = 0, height = 0;  // of the output
   TubeWork work;
@@ -113,10 +114,11 @@ struct RasterTube::State {
 
 RasterTube::State::State(const TubeSettings& s, int new_width, int new_height)
     : settings(s), scan(s.mode), curve(s.gamma) {
-  const auto phosphors_used = faceplate_phosphors(s.phosphor);
-  colours = layer_colours(phosphors_used);
-  for (const Phosphor* phosphor : phosphors_used) {
-    layers.emplace_back(*phosphor, s.mode.pixel_clock_hz, to_clocks(scan.frame_clocks()), cells(),
+  const PhosphorType& type = find_phosphor(s.phosphor);
+  three_guns = type.colour;
+  colours = layer_colours(type);
+  for (const Phosphor& phosphor : type.layers) {
+    layers.emplace_back(phosphor, s.mode.pixel_clock_hz, to_clocks(scan.frame_clocks()), cells(),
                         lines());
   }
   set_size(new_width, new_height);
@@ -199,10 +201,10 @@ void RasterTube::State::pass_line(BeamTime end, int line, bool first, TubeScratc
         const auto part = row.subspan(static_cast<std::size_t>(range.begin),
                                       static_cast<std::size_t>(range.end - range.begin));
         float* const doses = s.doses.data() + range.begin;
-        if (layers.size() == 1) {
-          curve.grey_doses(part, doses);
-        } else {
+        if (three_guns) {
           curve.colour_doses(part, static_cast<int>(layer), doses);
+        } else {
+          curve.grey_doses(part, doses);
         }
       }
       layers[layer].pass(line, range, s.doses.data(), s.layer, light_of_line);

@@ -15,7 +15,7 @@ namespace kinescope {
 
 struct TubeSettings {
   VideoMode mode;
-  std::string phosphor = "P22";   ///< "P22" for the colour triple, or a monochrome type
+  std::string phosphor = "P22";   ///< of phosphors(): "P22", "P31", ...
   double gamma = 2.35;            ///< light = drive ^ gamma (EBU reference display)
   double spot_sigma_lines = 0.3;  ///< vertical standard deviation of the spot, in scan-line pitches
   double spot_sigma_pixels = 0.4;  ///< horizontal standard deviation, in mode pixels

@@ -107,6 +107,8 @@ void MixLayersOf(int n, const float* const* light, const float (*colour)[3], flo
 void MixLayers(int n, std::span<const float* const> light, const float (*colour)[3], float* out) {
   if (light.size() == 1) {
     MixLayersOf<1>(n, light.data(), colour, out);
+  } else if (light.size() == 2) {
+    MixLayersOf<2>(n, light.data(), colour, out);
   } else {
     MixLayersOf<3>(n, light.data(), colour, out);
   }

@@ -31,7 +31,7 @@ void excite_slow_term(int n, const SlowTermStep& step, const float* old_dose, fl
 void excite_dose(int n, const float* old_weight, float even, const float* new_weight,
                  const float* new_dose, float* dose, float* light);
 
-/// out[3 i + c] = sum over layers of light[layer][i] * colour[layer][c]; one or three layers.
+/// out[3 i + c] = sum over layers of light[layer][i] * colour[layer][c]; one to three layers.
 void mix_layers(int n, std::span<const float* const> light, const float (*colour)[3], float* out);
 
 /// out[3 X + c] = sum over taps of weight[X * taps + t] * in[3 * (start[X] + t) + c]. Both rows
