@@ -1,0 +1,39 @@
+// Decays of phosphors drawn: brightness against time on logarithmic scales, the published times
+// beside them, and one type in words.
+#pragma once
+
+#include <span>
+
+#include "demos/studio.h"
+#include "demos/ui/canvas.h"
+#include "display/phosphor_flash.h"
+
+namespace kinescope {
+
+/// A type and its light after the flash that all of a picture share.
+struct FlashedType {
+  const PhosphorType* type;
+  FlashedSpot spot;
+};
+
+struct PhosphorChart {
+  const Studio& studio;
+  std::span<const FlashedType> types;
+  const PhosphorType* chosen;  ///< drawn in front of the others, with its points; or none
+  bool points = true;          ///< of every type, not of the chosen one alone
+
+  /// @param now since the excitation ended, marked if above 0
+  void draw_curves(Canvas& canvas, const Rect& room, Seconds now) const;
+  /// The chosen type: layers, times by table and law, source.
+  void draw_words(Canvas& canvas, const Rect& room) const;
+
+ private:
+  void draw_grid(Canvas& canvas, const Rect& plot, float size) const;
+  void draw_curve(Canvas& canvas, const Rect& plot, const FlashedType& flashed) const;
+  void draw_points(Canvas& canvas, const Rect& plot, const FlashedType& flashed) const;
+};
+
+/// A linear colour as a mark on the theme's dark ground: not too dark to be seen.
+Srgb8 visible_colour(LinearRgb hue);
+
+}  // namespace kinescope
