@@ -62,6 +62,15 @@ LinearRgb bright(LinearRgb colour) {
   return {channel(colour.r), channel(colour.g), channel(colour.b)};
 }
 
+/// Whole pixels, without the price of smooth corners.
+void fill_plain(Image<Srgb8>& picture, const Rect& rect, Srgb8 colour) {
+  const auto pixel = [](float v, int most) { return std::clamp(static_cast<int>(v), 0, most); };
+  const int left = pixel(rect.x, picture.width()), right = pixel(rect.right(), picture.width());
+  for (int y = pixel(rect.y, picture.height()); y < pixel(rect.bottom(), picture.height()); ++y) {
+    std::fill_n(picture.row(y) + left, right - left, colour);
+  }
+}
+
 /// Lines of text from a pen that moves down; what does not fit is left out.
 class Lines {
  public:
@@ -99,6 +108,18 @@ Srgb8 visible_colour(LinearRgb hue) {
   const float grey = 0.08f;
   return encode_srgb8(LinearRgb{hue.r + (1 - hue.r) * grey, hue.g + (1 - hue.g) * grey,
                                 hue.b + (1 - hue.b) * grey});
+}
+
+void draw_patch(Image<Srgb8>& picture, const Studio& studio, const Rect& cell,
+                std::string_view name, Srgb8 light, bool chosen) {
+  const float most = theme::kBody * 1.3f * theme::scale_for(picture.height());
+  const float size = std::min({cell.height * 0.16f, cell.width * 0.14f, most});
+  const Rect outer =
+      Rect{cell.x, cell.y, cell.width, cell.height - 1.3f * size}.shrunk(size * 0.25f);
+  fill_plain(picture, outer, chosen ? theme::kAccent : theme::kKeyCap);
+  fill_plain(picture, outer.shrunk(std::max(1.0f, size * 0.12f)), light);
+  Canvas(picture).text(studio.sans, {cell.x + cell.width * 0.5f, cell.bottom() - 0.35f * size},
+                       name, size, chosen ? theme::kAccent : theme::kText, Align::kCentre);
 }
 
 void PhosphorChart::draw_grid(Canvas& canvas, const Rect& plot, float size) const {
@@ -149,7 +170,8 @@ void PhosphorChart::draw_points(Canvas& canvas, const Rect& plot,
   }
 }
 
-void PhosphorChart::draw_curves(Canvas& canvas, const Rect& room, Seconds now) const {
+void PhosphorChart::draw_curves(Canvas& canvas, const Rect& room, Seconds now,
+                                Seconds again) const {
   const float size = text_size(room);
   canvas.text(studio.sans, {room.x, room.y + size},
               "brightness after the excitation has ended, as a share of what it was", size,
@@ -160,6 +182,8 @@ void PhosphorChart::draw_curves(Canvas& canvas, const Rect& room, Seconds now) c
                   room.height - 4.2f * size};
   if (plot.width <= 0 || plot.height <= 0) return;
   draw_grid(canvas, plot, size);
+  const float next = across(plot, again.count());
+  canvas.dashed({next, plot.y}, {next, plot.bottom()}, 1, 0.5f * size, 0.5f * size, theme::kAccent);
   const Rect clip = canvas.clip();
   canvas.set_clip({plot.x, plot.y - size, plot.width, plot.height + size});
   for (const bool front : {false, true}) {

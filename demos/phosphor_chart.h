@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "demos/studio.h"
 #include "demos/ui/canvas.h"
@@ -23,7 +24,8 @@ struct PhosphorChart {
   bool points = true;          ///< of every type, not of the chosen one alone
 
   /// @param now since the excitation ended, marked if above 0
-  void draw_curves(Canvas& canvas, const Rect& room, Seconds now) const;
+  /// @param again when the next one begins
+  void draw_curves(Canvas& canvas, const Rect& room, Seconds now, Seconds again) const;
   /// The chosen type: layers, times by table and law, source.
   void draw_words(Canvas& canvas, const Rect& room) const;
 
@@ -32,6 +34,10 @@ struct PhosphorChart {
   void draw_curve(Canvas& canvas, const Rect& plot, const FlashedType& flashed) const;
   void draw_points(Canvas& canvas, const Rect& plot, const FlashedType& flashed) const;
 };
+
+/// One phosphor's light as a patch of its colour, its name below.
+void draw_patch(Image<Srgb8>& picture, const Studio& studio, const Rect& cell,
+                std::string_view name, Srgb8 light, bool chosen);
 
 /// A linear colour as a mark on the theme's dark ground: not too dark to be seen.
 Srgb8 visible_colour(LinearRgb hue);

@@ -17,13 +17,12 @@ enum { kTypes, kChosen, kExcitation, kEvery, kPoints, kIris };
 
 constexpr double kFirstTimeScale = 1.0 / 200;
 constexpr Seconds kRefresh(1.0 / 60);  // a flash brings what steady excitation does in that time
-constexpr Seconds kSteadyEnds = milliseconds(1);
+constexpr Seconds kSteadyEnds = microseconds(100);
 constexpr std::array kLengths = {microseconds(0.04), microseconds(100), kSteadyEnds};
 constexpr std::array kPeriods = {milliseconds(50), Seconds(1), Seconds(60)};
 constexpr float kPatchesShare = 0.4f, kWordsShare = 0.27f;
 
-const std::array<std::vector<std::string>, 5> kGroups = {
-    std::vector<std::string>{},
+const std::vector<std::string> kGroups[] = {
     {"P1", "P2", "P5", "P11", "P15", "P16", "P24", "P31", "P35"},
     {"P7", "P7-long", "P14", "P17", "P28", "P32"},
     {"P4", "P6", "P18", "P22", "P22-EBU", "P22-NTSC", "P23"},
@@ -64,11 +63,10 @@ class Phosphors : public ClonableDemo<Phosphors> {
   void update(const Step&) override {}
 
   std::vector<FlashedType> flashed_types() const {
-    const std::vector<std::string>& group = kGroups[static_cast<std::size_t>(knob(kTypes).index())];
+    const int group = knob(kTypes).index();
     std::vector<FlashedType> types;
-    for (const PhosphorType& type : phosphors()) {
-      if (!group.empty() && std::find(group.begin(), group.end(), type.name) == group.end())
-        continue;
+    for (const std::string& name : group == 0 ? type_names() : kGroups[group - 1]) {
+      const PhosphorType& type = find_phosphor(name);
       types.push_back({&type, FlashedSpot(type, {length(), continuous(), kRefresh.count()})});
     }
     return types;
@@ -105,7 +103,7 @@ class Phosphors : public ClonableDemo<Phosphors> {
     const float scale = theme::scale_for(height());
     const Rect inside = whole_picture(*this).shrunk(theme::kMargin * scale);
     const float patches = inside.height * kPatchesShare, words = inside.width * kWordsShare;
-    draw_patches(canvas, {inside.x, inside.y, inside.width, patches}, types, &chosen,
+    draw_patches(picture, {inside.x, inside.y, inside.width, patches}, types, &chosen,
                  step.exposure);
     // The line of state lies in the lower left corner: its height stays free.
     const Rect below = {inside.x, inside.y + patches + theme::kMargin * scale, inside.width,
@@ -113,29 +111,25 @@ class Phosphors : public ClonableDemo<Phosphors> {
     const PhosphorChart chart{studio(), types, &chosen, knob(kPoints).on()};
     const double turn = std::floor(step.exposure.begin / period());
     const Seconds since = step.exposure.end - turn * period() - length();
-    chart.draw_curves(canvas, {below.x, below.y, below.width - words, below.height}, since);
+    chart.draw_curves(canvas, {below.x, below.y, below.width - words, below.height}, since,
+                      period() - length());
     chart.draw_words(canvas, {below.right() - words, below.y, words, below.height});
   }
 
-  void draw_patches(Canvas& canvas, const Rect& room, const std::vector<FlashedType>& types,
+  void draw_patches(Image<Srgb8>& picture, const Rect& room, const std::vector<FlashedType>& types,
                     const PhosphorType* chosen, const Exposure& exposure) const {
     const auto count = static_cast<float>(types.size());
-    const float columns = std::ceil(std::sqrt(count * room.width / std::max(1.0f, room.height)));
-    const float rows = std::ceil(count / columns);
+    // About as wide as high, and rows as full as they can be.
+    const float shape = room.width / std::max(1.0f, room.height);
+    const float most = std::max(1.0f, std::ceil(std::sqrt(count * shape)));
+    const float rows = std::ceil(count / most), columns = std::ceil(count / rows);
     const float wide = room.width / columns, high = room.height / rows;
-    const float size = std::min(high * 0.16f, wide * 0.14f);
     for (std::size_t i = 0; i < types.size(); ++i) {
       const auto column = static_cast<float>(i % static_cast<std::size_t>(columns));
       const auto row = static_cast<float>(i / static_cast<std::size_t>(columns));
       const Rect cell{room.x + column * wide, room.y + row * high, wide, high};
-      const Rect patch =
-          Rect{cell.x, cell.y, cell.width, cell.height - 1.3f * size}.shrunk(size * 0.3f);
-      canvas.fill(patch, encode(light(types[i].spot, exposure)), size * 0.3f);
-      const bool front = types[i].type == chosen;
-      canvas.frame(patch, std::max(1.0f, size * 0.12f), front ? theme::kAccent : theme::kRule,
-                   size * 0.3f);
-      canvas.text(studio().sans, {cell.x + wide * 0.5f, cell.bottom() - 0.35f * size},
-                  types[i].type->name, size, front ? theme::kAccent : theme::kText, Align::kCentre);
+      draw_patch(picture, studio(), cell, types[i].type->name,
+                 encode(light(types[i].spot, exposure)), types[i].type == chosen);
     }
   }
 };
