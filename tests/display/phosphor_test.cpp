@@ -262,6 +262,20 @@ TEST(Phosphor, TwoLayersChangeColourAsTheyFade) {
   EXPECT_EQ(count, 6);  // P2, P7, P7-long, P14, P17, P32
 }
 
+TEST(Phosphor, P2sLayersTogetherHaveTheColourOfTheTable) {
+  LinearRgb sum;
+  for (const Phosphor& layer : find_phosphor("P2").layers) {
+    const float share = static_cast<float>(layer.share);
+    sum = {sum.r + share * layer.colour.r, sum.g + share * layer.colour.g,
+           sum.b + share * layer.colour.b};
+  }
+  // IEC 61966-2-1: linear sRGB to CIE XYZ.
+  const double X = 0.4124 * sum.r + 0.3576 * sum.g + 0.1805 * sum.b, Y = luminance(sum),
+               Z = 0.0193 * sum.r + 0.1192 * sum.g + 0.9505 * sum.b;
+  EXPECT_NEAR(X / (X + Y + Z), 0.279, 2e-3);
+  EXPECT_NEAR(Y / (X + Y + Z), 0.534, 2e-3);
+}
+
 TEST(Phosphor, UnknownTypesAreNamed) {
   try {
     find_phosphor("P99");
