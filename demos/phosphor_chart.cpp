@@ -208,6 +208,7 @@ void PhosphorChart::draw_words(Canvas& canvas, const Rect& room) const {
   lines.line(chosen->name, theme::kAccent, {}, 1.35f);
   lines.line(chosen->about, theme::kText);
   lines.gap();
+  lines.line("after continuous excitation", theme::kDim);
   const FlashedSpot steady(*chosen, {Seconds(0), true});
   for (std::size_t k = 0; k < 3; ++k) {
     const Seconds found = time_to(std::pow(10.0, -(static_cast<double>(k) + 1)), steady);
@@ -222,7 +223,8 @@ void PhosphorChart::draw_words(Canvas& canvas, const Rect& room) const {
   for (const Phosphor& layer : chosen->layers) {
     lines.swatch(visible_colour(bright(layer.colour)));
     lines.line(fmt::format("     {}", chosen->layers.size() > 1 ? layer.name : "one layer"),
-               theme::kText, fmt::format("{} terms", layer.terms.size()));
+               theme::kText,
+               fmt::format("{} term{}", layer.terms.size(), layer.terms.size() > 1 ? "s" : ""));
   }
   lines.gap();
   lines.paragraph(chosen->source, 0.85f);
