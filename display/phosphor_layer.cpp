@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kDwell = 1;            // clocks
 constexpr double kLeastWeight = 1e-12;  // of white; what is less is left out
-// Of a term that loses 99.9 % in a frame only the last dose is kept: what is left of those before
-// is carried over to a slower term. Without one, down to exp(-20.7) = 1e-9.
-constexpr double kFadesInAFrame = 7, kFadesWholly = 20.7;
+// Of a term that loses all but exp(-9) = 1e-4 in a frame only the last dose is kept: what is left
+// of those before is carried over to a slower term. Without one, down to exp(-20.7) = 1e-9.
+constexpr double kFadesInAFrame = 9, kFadesWholly = 20.7;
 constexpr std::size_t kBases = 2;
 
 float as_float(double v) { return static_cast<float>(v); }

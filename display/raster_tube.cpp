@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "display/gun_drive.h"
+#include "display/layer_colours.h"
 #include "display/phosphor_layer.h"
 #include "display/tube/gun.h"
 #include "display/tube/screen.h"
@@ -110,16 +110,15 @@ struct RasterTube::State {
 
 RasterTube::State::State(const TubeSettings& s, int new_width, int new_height)
     : settings(s), scan(s.mode), gun(s.gun, SpotModel(s.spot), s.mode.pixel_clock_hz) {
-  const auto phosphors_used = faceplate_phosphors(s.phosphor);
-  const auto colours = layer_colours(phosphors_used);
-  const bool colour = phosphors_used.size() == 3;
-  signals = colour ? std::vector{Signal::kRed, Signal::kGreen, Signal::kBlue}
-                   : std::vector{Signal::kGrey};
-  for (std::size_t i = 0; i < phosphors_used.size(); ++i) {
-    const PhosphorLayer layer(*phosphors_used[i], s.mode.pixel_clock_hz,
-                              to_clocks(scan.frame_clocks()), cells(), lines());
-    const std::size_t signal = colour ? i : 0;
-    layers.push_back({layer, signal});
+  const PhosphorType& type = find_phosphor(s.phosphor);
+  const auto colours = layer_colours(type);
+  signals = type.colour ? std::vector{Signal::kRed, Signal::kGreen, Signal::kBlue}
+                        : std::vector{Signal::kGrey};
+  for (std::size_t i = 0; i < type.layers.size(); ++i) {
+    const std::size_t signal = type.colour ? i : 0;
+    layers.push_back({PhosphorLayer(type.layers[i], s.mode.pixel_clock_hz,
+                                    to_clocks(scan.frame_clocks()), cells(), lines()),
+                      signal});
     screen_layers.push_back({static_cast<int>(signal), colours[i]});
   }
   set_size(new_width, new_height);

@@ -72,7 +72,7 @@ struct MaskSettings {
 
 struct TubeSettings {
   VideoMode mode;
-  std::string phosphor = "P22";  ///< "P22" for the colour triple, or a monochrome type
+  std::string phosphor = "P22";  ///< of phosphors(): "P22", "P31", ...
   GlassSettings glass{};
   GunSettings gun{};
   SpotSettings spot{};
