@@ -63,7 +63,7 @@ Place Deflection::sweep_of_glass(Place glass) const {
 bool is_separable(const TubeSettings& settings) {
   const DeflectionSettings& d = settings.deflection;
   bool apart = settings.glass.curvature_mm == 0 && d.pincushion_x == 0 && d.pincushion_y == 0 &&
-               d.keystone == 0 && d.rotation_deg == 0 && d.hum == 0 && d.sag == 0;
+               d.keystone == 0 && d.rotation_deg == 0;
   for (const ConvergenceError& e : d.convergence) apart &= e.edge_x_mm == 0 && e.edge_y_mm == 0;
   return apart;
 }

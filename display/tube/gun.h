@@ -27,8 +27,6 @@ class Gun {
 
   /// Beam current of a drive, white's being 1.
   double current(double drive) const;
-  /// Of the blanked beam, as it flies back.
-  double retrace_current() const { return current(-settings_.blanking); }
 
  private:
   struct Dose {

@@ -25,7 +25,6 @@ struct GunSettings {
   double gamma = 2.35;      ///< current = drive ^ gamma (EBU Tech 3273: 2.35)
   double contrast = 1;      ///< gain of the video amplifier
   double brightness = 0;    ///< added to the drive, white being 1
-  double blanking = 0.15;   ///< how far below black retrace blanking drives the guns
   double bandwidth_hz = 0;  ///< of the video amplifier, where it passes 1/sqrt(2); 0: unlimited
 };
 
@@ -48,12 +47,9 @@ struct DeflectionSettings {
   double width = 1, height = 1;               ///< of the raster, as shares of the glass
   double shift_x = 0, shift_y = 0;            ///< to the right, down
   double pincushion_x = 0, pincushion_y = 0;  ///< how far corners stick out beyond edges' middles
-  double keystone = 0;          ///< the bottom is wider by this share, the top narrower
-  double rotation_deg = 0;      ///< clockwise
-  double s_curve = 0;           ///< the sweep is slower at its ends by this share
-  double sag = 0;               ///< growth of the raster at full white: high voltage that gives way
-  double hum = 0, hum_hz = 50;  ///< the mains' pull across, and its frequency
-  double interlace_error = 0;   ///< of a frame line: how far the second field is misplaced
+  double keystone = 0;      ///< the bottom is wider by this share, the top narrower
+  double rotation_deg = 0;  ///< clockwise
+  double s_curve = 0;       ///< the sweep is slower at its ends by this share
   std::array<ConvergenceError, 3> convergence{};  ///< red, green, blue
 };
 
