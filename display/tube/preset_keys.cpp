@@ -20,7 +20,7 @@ constexpr std::array kNumbers{
     TubeNumber{"gun.brightness", "", -1, 1, AT(gun.brightness), "added to the drive"},
     TubeNumber{"gun.bandwidth", "Hz", 0, 1e10, AT(gun.bandwidth_hz), "video; 0 is unlimited"},
     TubeNumber{"spot.sigma", "mm", 0, 20, AT(spot.sigma_mm), "deviation at white"},
-    TubeNumber{"spot.least", "", 0.05, 1, AT(spot.least), "share of it left at no current"},
+    TubeNumber{"spot.least", "", 0.6, 1, AT(spot.least), "share of it left at no current"},
     TubeNumber{"spot.focus", "", 0.1, 20, AT(spot.focus), "multiplies it"},
     TubeNumber{"spot.astigmatism", "", 0.2, 5, AT(spot.astigmatism), "width over height"},
     TubeNumber{"deflection.width", "", 0.1, 3, AT(deflection.width), "of the glass"},

@@ -30,9 +30,10 @@ struct GunSettings {
 
 /// The beam's spot: a Gaussian whose deviation grows with the cube root of the current.
 struct SpotSettings {
-  double sigma_mm = 0.13;     ///< at white
-  double least = 0.6;         ///< share of it that is left at no current
-  double focus = 1;           ///< multiplies it; 1 is the best focus
+  double sigma_mm = 0.13;  ///< at white
+  double least =
+      0.6;           ///< share of it that is left at no current; from 0.6 on two Gaussians draw it
+  double focus = 1;  ///< multiplies it; 1 is the best focus
   double astigmatism = 1.25;  ///< width over height
 };
 

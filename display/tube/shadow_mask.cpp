@@ -14,7 +14,6 @@ constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr int kBlock = 8;       // pixels over which the local pitch is taken as one
 constexpr int kPad = 16;        // after a row, for whole vectors
 constexpr int kMostTerms = 32;  // along an axis
-constexpr double kFadeFrom = 0.35, kFadeTo = 0.5;  // cycles a pixel
 
 double sinc(double x) {
   return std::abs(x) < 1e-9 ? 1 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
@@ -23,9 +22,19 @@ double sinc(double x) {
 /// 2 J1(x) / x: a disc's transform.
 double jinc(double x) { return x < 1e-6 ? 1 : 2 * std::cyl_bessel_j(1.0, x) / x; }
 
-double faded(double cycles_a_pixel) {
-  const double t = std::clamp((kFadeTo - cycles_a_pixel) / (kFadeTo - kFadeFrom), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
+/// What is left of a frequency, cycles a pixel: a triangle, whose transform is nowhere negative,
+/// and so no series of openings becomes so.
+double faded(double across, double down) {
+  return std::max(0.0, 1 - 2 * std::abs(across)) * std::max(0.0, 1 - 2 * std::abs(down));
+}
+
+/// Even noise in [-1/2, 1/2) that depends on the place alone: rounding makes no pattern with it.
+double dither(int x, int y) {
+  std::uint32_t h =
+      static_cast<std::uint32_t>(x) * 0x9e3779b1u ^ static_cast<std::uint32_t>(y) * 0x85ebca77u;
+  h = (h ^ h >> 15) * 0x2c1b3c6du;
+  h = (h ^ h >> 12) * 0x297a2d39u;
+  return (h ^ h >> 15) * 0x1p-32 - 0.5;
 }
 
 /// Where the camera sees the glass, mm from its middle.
@@ -66,7 +75,7 @@ std::vector<Term> resolved_terms(const MaskLattice& lattice, const GlassView& vi
       const double fx = k / lattice.period_x(), fy = l / lattice.period_y();
       const double across = fx * (right.x - left.x) + fy * (right.y - left.y);
       const double down = fx * (below.x - above.x) + fy * (below.y - above.y);
-      const double amplitude = 2 * lattice.amplitude(k, l) * faded(std::hypot(across, down));
+      const double amplitude = 2 * lattice.amplitude(k, l) * faded(across, down);
       if (std::abs(amplitude) < 1e-4) continue;
       Term term{k, l, {}};
       for (int gun = 0; gun < 3; ++gun) {
@@ -169,9 +178,11 @@ ShadowMask::ShadowMask(const MaskSettings& mask, const GlassSettings& glass, int
                                  ? wire_shadow(mask, half_height_mm, here.y, next.y - here.y)
                                  : 1;
         for (int x = left; x < std::min(width, left + kBlock); ++x) {
+          const double noise = dither(x, y);
           const Transmission t = transmission(terms, lattice, view.mm(x, y));
           for (std::size_t gun = 0; gun < 3; ++gun) {
-            const double code = std::clamp(std::round(kOne * wires * t.gun[gun]), 0.0, 255.0);
+            const double code =
+                std::clamp(std::floor(kOne * wires * t.gun[gun] + noise + 0.5), 0.0, 255.0);
             planes_[gun][static_cast<std::size_t>(y * pitch_ + x)] =
                 static_cast<std::uint8_t>(code);
           }

@@ -26,7 +26,7 @@ class ShadowMask {
   }
 
  private:
-  static constexpr int kOne = 64;
+  static constexpr int kOne = 48;
   std::array<std::vector<std::uint8_t>, 3> planes_;
   std::ptrdiff_t pitch_ = 0;
 };

@@ -8,8 +8,8 @@ namespace {
 
 // Widths of the two Gaussians, as currents whose spots they are: chosen so that the largest
 // difference from the true spot is smallest (tests/display/spot_test.cpp measures it).
-constexpr double kNarrowCurrent = 0.02;
-constexpr double kWideCurrent = 1.15;
+constexpr double kNarrowCurrent = 0.1;
+constexpr double kWideCurrent = 1;
 
 }  // namespace
 
