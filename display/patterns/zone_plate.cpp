@@ -13,7 +13,8 @@ Image<Srgb8> zone_plate(int width, int height) {
   const double down_share = 9.0 / 16 * width / height, most = std::max(1.0, down_share);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const double from_x = x + 0.5 - 0.5 * width, from_y = y + 0.5 - 0.5 * height;
+      // From a pixel's own middle: at the sides the finest rings then have black and white pixels.
+      const double from_x = x - width / 2, from_y = y - height / 2;
       const double turns = from_x * from_x / width + down_share * from_y * from_y / height;
       picture.at(x, y) = grey_drive(0.5 + 0.5 * std::cos(std::numbers::pi * turns / most));
     }
