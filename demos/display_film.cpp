@@ -83,6 +83,7 @@ DisplayPlan plan_display_film(const Options& options, const PictureFeed::Facts& 
   check_fields(plan.shot.tube.mode, facts);
   plan.refresh = plan.shot.tube.mode.frame_rate();
   plan.rate = picture.fps.value_or(plan.refresh);
+  plan.shot.every = plan.rate.period();
   plan.input_rate = request.input_rate.value_or(facts.rate.value_or(plan.refresh));
   plan.open_ended = !picture.frames && !facts.still;
   plan.frames = picture.frames.value_or(FrameRange{});
@@ -92,32 +93,39 @@ DisplayPlan plan_display_film(const Options& options, const PictureFeed::Facts& 
 }
 
 RefreshFeed::RefreshFeed(PictureFeed& feed, Rate input_rate, Rate refresh, RasterFit fit)
-    : feed_(feed), fit_(std::move(fit)) {
+    : feed_(feed), fit_(std::move(fit)), input_rate_(input_rate) {
   const Rate ratio =
       Rate{input_rate.numerator * refresh.denominator, input_rate.denominator * refresh.numerator}
           .reduced();
   step_ = ratio.numerator;
   whole_ = ratio.denominator;
-  next();
 }
 
-void RefreshFeed::next() {
-  if (feed_.facts().still && pictures_ > 0) return;
-  if (over_ || !feed_.next(picture_)) {
-    over_ = true;
-    return;
+void RefreshFeed::read_to(std::int64_t index) {
+  while (!ended_ && read_ <= index) {
+    ended_ = !feed_.next(latest_);
+    if (!ended_) ++read_;
   }
-  ++pictures_;
-  fitted_ = false;
 }
 
 const Image<Srgb8>& RefreshFeed::at(std::int64_t refresh) {
   for (; refresh_ < refresh; ++refresh_) {
-    for (phase_ += step_; phase_ >= whole_; phase_ -= whole_) next();
+    for (phase_ += step_; phase_ >= whole_; phase_ -= whole_) ++due_;
   }
-  if (!fitted_) shown_ = &fit_(picture_);
-  fitted_ = true;
+  read_to(due_);
+  const bool is_due = read_ <= due_ + 1;  // else it was read ahead
+  if (is_due && fitted_ != read_) {
+    shown_ = &fit_(latest_);
+    fitted_ = read_;
+  }
   return *shown_;
+}
+
+bool RefreshFeed::lasts_at(Seconds time) {
+  if (feed_.facts().still) return true;
+  const auto index = static_cast<std::int64_t>(time.count() * input_rate_.hertz() + 1e-7);
+  read_to(index);
+  return read_ > index;
 }
 
 DisplayFilm::DisplayFilm(const DisplayPlan& plan, PictureFeed& feed, bool want_hashes,
@@ -136,11 +144,11 @@ DisplayFilm::DisplayFilm(const DisplayPlan& plan, PictureFeed& feed, bool want_h
 bool DisplayFilm::shoot(Film* film) {
   const int frame = plan_.frames.first + static_cast<int>(figures_.size());
   if (!plan_.open_ended && frame > plan_.frames.last) return false;
-  const Seconds begin = plan_.start + Seconds(frame * plan_.rate.period().count()) -
-                        Seconds(static_cast<double>(first_refresh_) / plan_.refresh.hertz());
+  const Seconds time = plan_.start + Seconds(frame * plan_.rate.period().count());
+  const Seconds begin = time - Seconds(static_cast<double>(first_refresh_) / plan_.refresh.hertz());
   frame_.start();
   tube_.pass_to(begin);
-  if (feed_.over()) return false;
+  if (!feed_.lasts_at(time)) return false;
   const FilmPicture picture = tube_.shoot(begin);
   frame_.stop();
   FrameFigures figures{frame, 0};

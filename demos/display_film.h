@@ -39,21 +39,26 @@ DisplayPlan plan_display_film(const Options& options, const PictureFeed::Facts& 
 class RefreshFeed {
  public:
   RefreshFeed(PictureFeed& feed, Rate input_rate, Rate refresh, RasterFit fit);
-  /// Refreshes are asked for in order; some may be left out.
+  /// Refreshes are asked for in order; some may be left out. After the feed's end its last picture
+  /// stays.
   const Image<Srgb8>& at(std::int64_t refresh);
-  /// Whether the refresh last asked for comes after the last picture's time.
-  bool over() const { return over_; }
-  std::int64_t pictures() const { return pictures_; }
+  /// Whether the feed still lasts at a time that the refresh last asked for contains.
+  bool lasts_at(Seconds time);
+  std::int64_t pictures() const { return read_; }
 
  private:
-  void next();
+  void read_to(std::int64_t index);
 
   PictureFeed& feed_;
   RasterFit fit_;
+  Rate input_rate_;
   std::int64_t step_, whole_;  // a refresh is step / whole pictures
-  std::int64_t phase_ = 0, refresh_ = 0, pictures_ = 0;
-  bool fitted_ = false, over_ = false;
-  Image<Srgb8> picture_;
+  std::int64_t phase_ = 0, refresh_ = 0;
+  std::int64_t due_ = 0;     // the picture that is due in refresh_
+  std::int64_t read_ = 0;    // how many were read; the last one is `latest_`
+  std::int64_t fitted_ = 0;  // how many were read when the one that is shown was fitted
+  bool ended_ = false;
+  Image<Srgb8> latest_;
   const Image<Srgb8>* shown_ = nullptr;
 };
 

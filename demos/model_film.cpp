@@ -129,6 +129,7 @@ void ModelFilm::shoot_tube(Film* film, int frame) {
     shot.size = plan_.size;
     shot.aspect = static_cast<double>(plan_.drawn.width) / plan_.drawn.height;
     shot.shutter = plan_.shutter;
+    shot.every = plan_.rate.period();
     shot.deep = deep_;
     tube_film_ = std::make_unique<TubeFilm>(shot, source, workers_);
   }

@@ -19,15 +19,15 @@ float largest_change(const Image<LinearRgb>& before, const Image<LinearRgb>& aft
   return largest;
 }
 
-void add(Image<LinearRgb>& sum, const Image<LinearRgb>& light) {
+}  // namespace
+
+void add_light(Image<LinearRgb>& sum, const Image<LinearRgb>& light) {
   for (std::size_t i = 0; i < light.pixels().size(); ++i) {
     LinearRgb& to = sum.pixels()[i];
     const LinearRgb from = light.pixels()[i];
     to = {to.r + from.r, to.g + from.g, to.b + from.b};
   }
 }
-
-}  // namespace
 
 TubeCamera::TubeCamera(const TubeSettings& settings, int width, int height, Source source,
                        Workers& workers, TubeSignal signal)
@@ -90,7 +90,7 @@ const Image<LinearRgb>& TubeCamera::expose(Exposure exposure) {
   const Image<LinearRgb>* light = &run_to(exposure.end);
   if (now_ < exposure.end) {
     sum_ = *light;
-    while (now_ < exposure.end) add(sum_, run_to(exposure.end));
+    while (now_ < exposure.end) add_light(sum_, run_to(exposure.end));
     light = &sum_;
   }
   return *light;

@@ -17,6 +17,8 @@ enum class TubeSignal {
   kGunDrive,  ///< the guns' own signal: generators, old computers
 };
 
+void add_light(Image<LinearRgb>& sum, const Image<LinearRgb>& light);
+
 /// Times count from the first pixel of refresh 0, before which the tube has shown picture 0 for
 /// so long that its light is steady.
 class TubeCamera {

@@ -9,6 +9,7 @@
 #include "demos/display_film.h"
 #include "demos/displays.h"
 #include "demos/progress.h"
+#include "raster/base/error.h"
 #include "raster/base/simd.h"
 
 namespace kinescope {
@@ -53,14 +54,22 @@ std::string output_of(const Options& options, bool several) {
   return output_in_out(stem_of(options.display.input), several);
 }
 
-void check_memory(const DisplayPlan& plan, const PictureFeed::Facts& facts) {
-  const Size size = plan.shot.size;
+void check_memory(const DisplayPlan& plan, const PictureFeed::Facts& facts,
+                  const std::string& input) {
+  constexpr double kGib = 1 << 30;
+  // A frame's bytes and its picture; scaled across it is linear light.
+  const double across = 1.0 * plan.shot.tube.mode.horizontal.active * sizeof(LinearRgb);
+  const double reading = facts.size.height * (across + 3.0 * facts.size.width * sizeof(Srgb8));
+  const double have = available_memory_bytes();
+  if (reading > have) {
+    throw_bad_input(fmt::format("pictures of {}x{} pixels take about {:.1f} GiB of memory, and "
+                                "{:.1f} GiB are free",
+                                facts.size.width, facts.size.height, reading / kGib, have / kGib),
+                    input == "-" ? "standard input" : input);
+  }
   const std::size_t encoded = plan.shot.deep ? sizeof(Srgb16) : sizeof(Srgb8);
-  // The input's bytes and picture; scaled across it is linear light.
-  const double read = 1.0 * facts.size.width * facts.size.height * (3 * sizeof(Srgb8));
-  const double raster = 1.0 * plan.shot.tube.mode.horizontal.active * facts.size.height;
-  check_memory(size, tube_bytes_a_pixel(encoded) * size.width * size.height + read +
-                         raster * sizeof(LinearRgb));
+  const Size size = plan.shot.size;
+  check_memory(size, tube_bytes_a_pixel(encoded) * size.width * size.height + reading);
 }
 
 std::string figures(const Options& options, const DisplayPlan& plan,
@@ -126,7 +135,7 @@ int run_display(const Options& options) {
   const VideoMode mode = plan_shot(options).tube.mode;
   const auto feed = open_feed(options.display, {mode.horizontal.active, mode.vertical.active});
   const DisplayPlan plan = plan_display_film(options, feed->facts());
-  check_memory(plan, feed->facts());
+  check_memory(plan, feed->facts(), options.display.input);
   const std::string output = output_of(options, plan.several());
   film_feed(options, *feed, plan, output);
   if (options.picture.output.empty() && !output.empty()) {

@@ -261,8 +261,9 @@ TEST_P(Ffmpeg, ShowsTheSameColours) {
   EXPECT_EQ(at, expected.size());
 }
 
+// Not 4:1:1: swscale takes its chroma to lie in the middle of four pixels, DV puts it on the first.
 INSTANTIATE_TEST_SUITE_P(Formats, Ffmpeg,
-                         ::testing::Values("yuv420p", "yuv422p", "yuv411p", "yuv444p", "yuv420p10",
+                         ::testing::Values("yuv420p", "yuv422p", "yuv444p", "yuv420p10",
                                            "yuv422p12", "yuv444p16", "yuvj420p", "gray", "gray16"));
 
 }  // namespace
