@@ -233,8 +233,8 @@ TEST_P(Ffmpeg, ShowsTheSameColours) {
   // Smooth, so that how chroma is interpolated matters little.
   const std::string film = scratch.path("a.y4m"), raw = scratch.path("a.rgb");
   const std::string source =
-      "ffmpeg -v error -f lavfi -i gradients=size=96x64:seed=5:rate=25:duration=0.08 -strict -1 "
-      "-pix_fmt ";
+      "ffmpeg -v error -f lavfi -i \"nullsrc=size=96x64:rate=25:duration=0.08,format=rgb24,"
+      "geq=r='2*X+9*N':g='3*Y':b='230-X-Y'\" -strict -1 -pix_fmt ";
   ASSERT_EQ(std::system((source + GetParam() + " " + film).c_str()), 0);
   ASSERT_EQ(std::system(("ffmpeg -v error -i " + film +
                          " -sws_flags bilinear+accurate_rnd+full_chroma_int+full_chroma_inp -f "
