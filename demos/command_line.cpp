@@ -256,7 +256,8 @@ Examples:
   kinescope render model.obj --turntable --frames 24 --size 320x240 -o turn.y4m)";
 
 constexpr const char* kDisplayExamples =
-    R"(Examples:
+    R"(Without -o a picture is shown in a window; a film is written to out/.
+Examples:
   kinescope display photo.png -o tube.png
   kinescope display pattern:smpte-bars --mode ntsc -o bars.png
   kinescope display film.y4m --fps 240 --shutter 1/240 -o slices.y4m

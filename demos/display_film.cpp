@@ -34,18 +34,6 @@ void check_fields(const VideoMode& mode, const PictureFeed::Facts& facts) {
               "--mode");
 }
 
-RasterFit fit_of(const DisplayPlan& plan, const PictureFeed::Facts& facts, Fit fit,
-                 Workers& workers) {
-  const double pixels = static_cast<double>(facts.size.width) / facts.size.height;
-  return {facts.size,
-          pixels * facts.pixel_aspect.value_or(1),
-          raster_of(plan.shot.tube.mode),
-          plan.shot.aspect,
-          fit,
-          facts.fields,
-          workers};
-}
-
 std::int64_t first_refresh(const DisplayPlan& plan, bool still) {
   const double begin_s = plan.start.count() + plan.frames.first * plan.rate.period().count();
   const auto refresh = static_cast<std::int64_t>(begin_s * plan.refresh.hertz() + 1e-6);
@@ -53,6 +41,17 @@ std::int64_t first_refresh(const DisplayPlan& plan, bool still) {
 }
 
 }  // namespace
+
+RasterFit fit_of(const DisplayPlan& plan, const PictureFeed::Facts& facts, Workers& workers) {
+  const double pixels = static_cast<double>(facts.size.width) / facts.size.height;
+  return {facts.size,
+          pixels * facts.pixel_aspect.value_or(1),
+          raster_of(plan.shot.tube.mode),
+          plan.shot.aspect,
+          plan.fit,
+          facts.fields,
+          workers};
+}
 
 TubeShot plan_shot(const Options& options) {
   const DisplayRequest& request = options.display;
@@ -133,7 +132,7 @@ DisplayFilm::DisplayFilm(const DisplayPlan& plan, PictureFeed& feed, bool want_h
     : plan_(plan),
       want_hashes_(want_hashes),
       first_refresh_(first_refresh(plan, feed.facts().still)),
-      feed_(feed, plan.input_rate, plan.refresh, fit_of(plan, feed.facts(), plan.fit, workers)),
+      feed_(feed, plan.input_rate, plan.refresh, fit_of(plan, feed.facts(), workers)),
       tube_(
           plan.shot,
           [this](std::int64_t refresh) -> const Image<Srgb8>& {

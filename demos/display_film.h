@@ -35,6 +35,9 @@ TubeShot plan_shot(const Options& options);
 /// @throws Error (usage) on options that do not go together
 DisplayPlan plan_display_film(const Options& options, const PictureFeed::Facts& facts);
 
+/// Lays the feed's pictures on the raster of the plan's mode.
+RasterFit fit_of(const DisplayPlan& plan, const PictureFeed::Facts& facts, Workers& workers);
+
 /// The pictures of a feed by refresh: each is shown until the refresh in which the next is due.
 class RefreshFeed {
  public:

@@ -16,7 +16,7 @@ struct TubeShot {
   Size size;          ///< of the pictures
   double aspect = 1;  ///< width over height of the tube's face, which is centred on black
   Seconds shutter{0};
-  Seconds every{0};  ///< from one picture's beginning to the next one's
+  Seconds every{0};            ///< from one picture's beginning to the next one's
   std::optional<double> gain;  ///< of light in refreshes of steady white; none: by the shutter's
                                ///< length, so that steady white is 1
   bool deep = false;           ///< 16 bits a channel instead of 8

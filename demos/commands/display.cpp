@@ -8,7 +8,10 @@
 #include "demos/console.h"
 #include "demos/display_film.h"
 #include "demos/displays.h"
+#include "demos/picture_demo.h"
 #include "demos/progress.h"
+#include "demos/session.h"
+#include "display/presenter.h"
 #include "raster/base/error.h"
 #include "raster/base/simd.h"
 
@@ -121,6 +124,21 @@ void film_feed(const Options& options, PictureFeed& feed, const DisplayPlan& pla
   }
 }
 
+/// A still picture on its tube, in a window.
+int show_picture(const Options& options, const DisplayPlan& plan, PictureFeed& feed) {
+  Image<Srgb8> picture;
+  feed.next(picture);
+  Workers workers(options.common.threads);
+  RasterFit fit = fit_of(plan, feed.facts(), workers);
+  const Image<Srgb8>& raster = fit(picture);
+  const TubeSettings& tube = plan.shot.tube;
+  const bool is_drive = plan.shot.signal == TubeSignal::kGunDrive;
+  GammaCorrection correct(tube.gamma);
+  const DemoInfo demo = picture_demo(tube, is_drive ? raster : correct(raster));
+  return run_demo_window(demo, {plan.shot.size.width, plan.shot.size.height, options.common.seed,
+                                options.common.threads});
+}
+
 }  // namespace
 
 int run_display(const Options& options) {
@@ -136,6 +154,11 @@ int run_display(const Options& options) {
   const auto feed = open_feed(options.display, {mode.horizontal.active, mode.vertical.active});
   const DisplayPlan plan = plan_display_film(options, feed->facts());
   check_memory(plan, feed->facts(), options.display.input);
+  const bool wants_window =
+      options.picture.output.empty() && !options.common.headless && !options.common.json;
+  if (wants_window && feed->facts().still && Presenter::available()) {
+    return show_picture(options, plan, *feed);
+  }
   const std::string output = output_of(options, plan.several());
   film_feed(options, *feed, plan, output);
   if (options.picture.output.empty() && !output.empty()) {
