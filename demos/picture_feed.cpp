@@ -78,15 +78,15 @@ class VideoFeed : public PictureFeed {
   bool any_ = false;
 };
 
-std::unique_ptr<PictureFeed> open_file(const DisplayRequest& request) {
+std::unique_ptr<PictureFeed> open_file(const DisplayRequest& request, Workers& workers) {
   auto file = std::make_unique<InputFile>(request.input);
   std::unique_ptr<VideoReader> reader;
   if (request.raw) {
     VideoFormat format = request.raw->format;
     if (request.matrix) format.matrix = *request.matrix;
-    reader = read_raw_video(*file, format, request.raw->rate);
+    reader = read_raw_video(*file, workers, format, request.raw->rate);
   } else if (is_y4m(*file)) {
-    reader = read_y4m(*file, request.matrix);
+    reader = read_y4m(*file, workers, request.matrix);
   }
   if (reader) return std::make_unique<VideoFeed>(std::move(file), std::move(reader));
   constexpr std::size_t kMostBytes = std::size_t{1} << 31;
@@ -97,7 +97,8 @@ std::unique_ptr<PictureFeed> open_file(const DisplayRequest& request) {
 
 }  // namespace
 
-std::unique_ptr<PictureFeed> open_feed(const DisplayRequest& request, Size pattern_size) {
+std::unique_ptr<PictureFeed> open_feed(const DisplayRequest& request, Size pattern_size,
+                                       Workers& workers) {
   const std::string& input = request.input;
   if (input.starts_with(kPatternPrefix)) {
     const TestPattern& pattern = find_test_pattern(input.substr(kPatternPrefix.size()));
@@ -109,7 +110,7 @@ std::unique_ptr<PictureFeed> open_feed(const DisplayRequest& request, Size patte
   if (numbered && !request.raw && !std::filesystem::exists(input, ignored)) {
     return std::make_unique<SequenceFeed>(numbered_files(input));
   }
-  return open_file(request);
+  return open_file(request, workers);
 }
 
 }  // namespace kinescope

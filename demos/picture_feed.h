@@ -33,7 +33,9 @@ class PictureFeed {
 };
 
 /// Opens what the request names; a test pattern is made of the given size.
+/// @param workers must outlive the feed
 /// @throws Error (bad input, or usage)
-std::unique_ptr<PictureFeed> open_feed(const DisplayRequest& request, Size pattern_size);
+std::unique_ptr<PictureFeed> open_feed(const DisplayRequest& request, Size pattern_size,
+                                       Workers& workers);
 
 }  // namespace kinescope

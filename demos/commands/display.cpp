@@ -100,14 +100,13 @@ std::string figures(const Options& options, const DisplayPlan& plan,
 
 /// The film, and its figures if they are wanted.
 void film_feed(const Options& options, PictureFeed& feed, const DisplayPlan& plan,
-               const std::string& output) {
+               const std::string& output, Workers& workers) {
   std::optional<Film> film;
   if (!output.empty()) {
     const FilmFormat format = film_format(output, options.picture.format, plan.several());
     check_output(options, format);
     film.emplace(output, format, plan.shot.size, plan.rate);
   }
-  Workers workers(options.common.threads);
   DisplayFilm shots(plan, feed, options.common.json, workers);
   {
     Progress progress("photographing", plan.open_ended ? 0 : plan.frames.count(),
@@ -125,10 +124,10 @@ void film_feed(const Options& options, PictureFeed& feed, const DisplayPlan& pla
 }
 
 /// A still picture on its tube, in a window.
-int show_picture(const Options& options, const DisplayPlan& plan, PictureFeed& feed) {
+int show_picture(const Options& options, const DisplayPlan& plan, PictureFeed& feed,
+                 Workers& workers) {
   Image<Srgb8> picture;
   feed.next(picture);
-  Workers workers(options.common.threads);
   RasterFit fit = fit_of(plan, feed.facts(), workers);
   const Image<Srgb8>& raster = fit(picture);
   const TubeSettings& tube = plan.shot.tube;
@@ -151,16 +150,18 @@ int run_display(const Options& options) {
                 "nothing to show: name a picture, a film, pattern:NAME, or - for standard input");
   }
   const VideoMode mode = plan_shot(options).tube.mode;
-  const auto feed = open_feed(options.display, {mode.horizontal.active, mode.vertical.active});
+  Workers workers(options.common.threads);
+  const auto feed =
+      open_feed(options.display, {mode.horizontal.active, mode.vertical.active}, workers);
   const DisplayPlan plan = plan_display_film(options, feed->facts());
   check_memory(plan, feed->facts(), options.display.input);
   const bool wants_window =
       options.picture.output.empty() && !options.common.headless && !options.common.json;
   if (wants_window && feed->facts().still && Presenter::available()) {
-    return show_picture(options, plan, *feed);
+    return show_picture(options, plan, *feed, workers);
   }
   const std::string output = output_of(options, plan.several());
-  film_feed(options, *feed, plan, output);
+  film_feed(options, *feed, plan, output, workers);
   if (options.picture.output.empty() && !output.empty()) {
     print_remark("wrote " + output, options.common.quiet);
   }

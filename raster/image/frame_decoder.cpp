@@ -72,20 +72,27 @@ Between between(int place, double site, int step, int count) {
           static_cast<float>(at - below)};
 }
 
+std::vector<Between> columns_of(const VideoFormat& f, ChromaSite site) {
+  std::vector<Between> columns;
+  for (int x = 0; x < f.width; ++x) {
+    columns.push_back(between(x, site.x, f.chroma_across, divided_up(f.width, f.chroma_across)));
+  }
+  return columns;
+}
+
 /// One chroma plane, read at luma's places.
 class ChromaPlane {
  public:
-  ChromaPlane(const VideoFormat& f, const std::uint8_t* plane, ChromaSite site)
+  /// @param columns where luma's columns lie between the plane's
+  ChromaPlane(const VideoFormat& f, const std::uint8_t* plane, ChromaSite site,
+              std::span<const Between> columns)
       : format_(f),
         plane_(plane),
         site_(site),
+        columns_(columns),
         width_(divided_up(f.width, f.chroma_across)),
-        height_(divided_up(f.height, f.chroma_down)) {
-    for (int x = 0; x < f.width; ++x) {
-      columns_.push_back(between(x, site.x, f.chroma_across, width_));
-    }
-    blended_.resize(static_cast<std::size_t>(width_));
-  }
+        height_(divided_up(f.height, f.chroma_down)),
+        blended_(static_cast<std::size_t>(width_)) {}
 
   /// The plane's codes along luma line y.
   void read_line(int y, std::span<float> out) {
@@ -122,23 +129,34 @@ class ChromaPlane {
   const VideoFormat& format_;
   const std::uint8_t* plane_;
   ChromaSite site_;
+  std::span<const Between> columns_;
   int width_, height_;
-  std::vector<Between> columns_;
   std::vector<float> blended_;
 };
 
-void decode_yuv(const VideoFormat& f, const std::uint8_t* bytes, Image<Srgb8>& out) {
+/// What all lines of a frame share.
+struct YuvFrame {
+  const VideoFormat& format;
+  const std::uint8_t* bytes;
+  Matrix matrix;
+  Range range;
+  std::vector<Between> blue_columns, red_columns;
+};
+
+void decode_lines(const YuvFrame& frame, int begin, int end, Image<Srgb8>& out) {
+  const VideoFormat& f = frame.format;
   const std::size_t width = static_cast<std::size_t>(f.width);
   const std::size_t row_bytes = width * sample_bytes(f);
   const std::size_t luma_bytes = row_bytes * static_cast<std::size_t>(f.height);
   const std::size_t chroma_bytes = (frame_bytes(f) - luma_bytes) / 2;
-  const Matrix m = matrix_of(f.matrix);
-  const Range range = range_of(f);
-  ChromaPlane blue(f, bytes + luma_bytes, f.blue_site);
-  ChromaPlane red(f, bytes + luma_bytes + chroma_bytes, f.red_site);
+  const Matrix& m = frame.matrix;
+  const Range& range = frame.range;
+  const std::uint8_t* const chroma = frame.bytes + luma_bytes;
+  ChromaPlane blue(f, chroma, f.blue_site, frame.blue_columns);
+  ChromaPlane red(f, chroma + chroma_bytes, f.red_site, frame.red_columns);
   std::vector<float> u(width), v(width);
-  for (int y = 0; y < f.height; ++y) {
-    const Samples luma(bytes + static_cast<std::size_t>(y) * row_bytes, f.bits > 8);
+  for (int y = begin; y < end; ++y) {
+    const Samples luma(frame.bytes + static_cast<std::size_t>(y) * row_bytes, f.bits > 8);
     blue.read_line(y, u);
     red.read_line(y, v);
     Srgb8* const to = out.row(y);
@@ -150,6 +168,20 @@ void decode_yuv(const VideoFormat& f, const std::uint8_t* bytes, Image<Srgb8>& o
                to_code(light + m.blue_u * cb), 255};
     }
   }
+}
+
+void decode_yuv(const VideoFormat& f, const std::uint8_t* bytes, Workers& workers,
+                Image<Srgb8>& out) {
+  constexpr int kLinesATask = 32;
+  const YuvFrame frame{f,
+                       bytes,
+                       matrix_of(f.matrix),
+                       range_of(f),
+                       columns_of(f, f.blue_site),
+                       columns_of(f, f.red_site)};
+  workers.run(divided_up(f.height, kLinesATask), [&](int task, int) {
+    decode_lines(frame, task * kLinesATask, std::min(f.height, (task + 1) * kLinesATask), out);
+  });
 }
 
 void decode_grey(const VideoFormat& f, const std::uint8_t* bytes, Image<Srgb8>& out) {
@@ -195,13 +227,13 @@ std::size_t frame_bytes(const VideoFormat& f) {
   return (pixels + 2 * chroma) * sample_bytes(f);
 }
 
-void decode_frame(const VideoFormat& format, std::span<const std::uint8_t> bytes,
+void decode_frame(const VideoFormat& format, std::span<const std::uint8_t> bytes, Workers& workers,
                   Image<Srgb8>& out) {
   assert(bytes.size() == frame_bytes(format));
   if (out.width() != format.width || out.height() != format.height) {
     out = Image<Srgb8>(format.width, format.height);
   }
-  if (format.layout == FrameLayout::kYuv) return decode_yuv(format, bytes.data(), out);
+  if (format.layout == FrameLayout::kYuv) return decode_yuv(format, bytes.data(), workers, out);
   if (format.layout == FrameLayout::kGrey) return decode_grey(format, bytes.data(), out);
   decode_packed(format.layout, bytes.data(), out);
 }

@@ -7,36 +7,39 @@ namespace {
 
 class RawReader : public VideoReader {
  public:
-  RawReader(InputFile& file, const VideoFormat& format, Rate rate) : file_(file) {
+  RawReader(InputFile& file, Workers& workers, const VideoFormat& format, Rate rate)
+      : VideoReader(file, workers) {
     format_ = format;
     rate_ = rate;
   }
 
   bool read(Image<Srgb8>& frame) override {
-    bytes_.clear();
-    const std::size_t wanted = frame_bytes(format_), got = file_.append_to(bytes_, wanted);
-    if (got == 0 && number_ == 0) throw_bad_input("an empty file, not a film", file_.name());
-    if (got == 0) return false;
-    if (got < wanted) {
-      throw_bad_input("the film ends in the middle of a frame, after " + std::to_string(got) +
-                          " of its " + std::to_string(wanted) + " bytes",
-                      file_.name(), "frame " + std::to_string(number_));
+    if (file_.peek(1).empty()) {
+      if (number_ == 0) throw_bad_input("an empty file, not a film", file_.name());
+      return false;
     }
-    decode_frame(format_, bytes_, frame);
-    ++number_;
+    read_frame(frame);
     return true;
   }
-
- private:
-  InputFile& file_;
-  std::vector<std::uint8_t> bytes_;
-  std::int64_t number_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<VideoReader> read_raw_video(InputFile& file, const VideoFormat& format, Rate rate) {
-  return std::make_unique<RawReader>(file, format, rate);
+void VideoReader::read_frame(Image<Srgb8>& frame) {
+  bytes_.clear();
+  const std::size_t wanted = frame_bytes(format_), got = file_.append_to(bytes_, wanted);
+  if (got < wanted) {
+    throw_bad_input("the film ends in the middle of a frame, after " + std::to_string(got) +
+                        " of its " + std::to_string(wanted) + " bytes",
+                    file_.name(), place());
+  }
+  decode_frame(format_, bytes_, workers_, frame);
+  ++number_;
+}
+
+std::unique_ptr<VideoReader> read_raw_video(InputFile& file, Workers& workers,
+                                            const VideoFormat& format, Rate rate) {
+  return std::make_unique<RawReader>(file, workers, format, rate);
 }
 
 std::optional<VideoFormat> raw_format(const std::string& name, int width, int height) {

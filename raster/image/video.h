@@ -11,6 +11,7 @@
 
 #include "raster/base/input_file.h"
 #include "raster/base/units.h"
+#include "raster/base/workers.h"
 #include "raster/image/image.h"
 
 namespace kinescope {
@@ -49,7 +50,7 @@ std::size_t frame_bytes(const VideoFormat& format);
 
 /// A frame's bytes as R'G'B' in 8 bits, chroma interpolated linearly. Alpha is kept.
 /// @param out is given the format's size
-void decode_frame(const VideoFormat& format, std::span<const std::uint8_t> bytes,
+void decode_frame(const VideoFormat& format, std::span<const std::uint8_t> bytes, Workers& workers,
                   Image<Srgb8>& out);
 
 /// The matrix of video that does not name it: BT.709 from 1280 pixels across or above 576 lines.
@@ -58,7 +59,11 @@ YuvMatrix usual_matrix(int width, int height);
 /// A film being read. Frames come in order; a damaged one ends it with an Error.
 class VideoReader {
  public:
+  /// @param file, workers must outlive it
+  VideoReader(InputFile& file, Workers& workers) : file_(file), workers_(workers) {}
   virtual ~VideoReader() = default;
+  VideoReader(const VideoReader&) = delete;
+  VideoReader& operator=(const VideoReader&) = delete;
   /// @return false if there are no more. @throws Error (bad input) naming the frame
   virtual bool read(Image<Srgb8>& frame) = 0;
 
@@ -69,21 +74,34 @@ class VideoReader {
   std::optional<double> pixel_aspect() const { return pixel_aspect_; }
 
  protected:
+  /// The next frame's bytes as a picture. @throws Error if there are fewer
+  void read_frame(Image<Srgb8>& frame);
+  /// "frame 7": the one that comes next.
+  std::string place() const { return "frame " + std::to_string(number_); }
+
+  InputFile& file_;
+  Workers& workers_;
   VideoFormat format_;
   Rate rate_;
   std::optional<double> pixel_aspect_;
+  std::int64_t number_ = 0;  ///< frames read
+
+ private:
+  std::vector<std::uint8_t> bytes_;
 };
 
 /// YUV4MPEG2: 4:2:0 of every siting, 4:2:2, 4:1:1, 4:4:4 and grey, 8 to 16 bits a sample. Streams
 /// laid end to end are one film if all are alike. Its `XMATRIX=601|709` tag is our own.
 /// @param matrix that the user knows; none: the stream's tag, or the usual one
 /// @throws Error (bad input) on a header that is damaged or of a kind that is not read
-std::unique_ptr<VideoReader> read_y4m(InputFile& file, std::optional<YuvMatrix> matrix = {});
+std::unique_ptr<VideoReader> read_y4m(InputFile& file, Workers& workers,
+                                      std::optional<YuvMatrix> matrix = {});
 /// Whether the file begins as YUV4MPEG2 does.
 bool is_y4m(InputFile& file);
 
 /// Frames without any header.
-std::unique_ptr<VideoReader> read_raw_video(InputFile& file, const VideoFormat& format, Rate rate);
+std::unique_ptr<VideoReader> read_raw_video(InputFile& file, Workers& workers,
+                                            const VideoFormat& format, Rate rate);
 
 /// The layout that ffmpeg calls by this name: rgb24, rgba, bgra, gray8 or gray, yuv420p, yuv444p.
 /// @return nothing if there is none

@@ -199,7 +199,8 @@ class HeaderParser {
 
 class Y4mReader : public VideoReader {
  public:
-  Y4mReader(InputFile& file, std::optional<YuvMatrix> matrix) : file_(file), matrix_(matrix) {
+  Y4mReader(InputFile& file, Workers& workers, std::optional<YuvMatrix> matrix)
+      : VideoReader(file, workers), matrix_(matrix) {
     const Header header = read_header(next_line("header"));
     format_ = header.format;
     rate_ = header.rate;
@@ -216,15 +217,7 @@ class Y4mReader : public VideoReader {
     }
     if (!is(line, kFrame))
       throw_bad_input("no FRAME where one should begin", file_.name(), place());
-    bytes_.clear();
-    const std::size_t wanted = frame_bytes(format_), got = file_.append_to(bytes_, wanted);
-    if (got < wanted) {
-      throw_bad_input("the film ends in the middle of a frame, after " + std::to_string(got) +
-                          " of its " + std::to_string(wanted) + " bytes",
-                      file_.name(), place());
-    }
-    decode_frame(format_, bytes_, frame);
-    ++number_;
+    read_frame(frame);
     return true;
   }
 
@@ -232,7 +225,6 @@ class Y4mReader : public VideoReader {
   static bool is(std::string_view line, std::string_view word) {
     return line.starts_with(word) && (line.size() == word.size() || line[word.size()] == ' ');
   }
-  std::string place() const { return "frame " + std::to_string(number_); }
 
   std::string next_line(const std::string& where) {
     std::string line;
@@ -263,10 +255,7 @@ class Y4mReader : public VideoReader {
     if (a != b) throw_bad_input("the film changes its format", file_.name(), place());
   }
 
-  InputFile& file_;
   std::optional<YuvMatrix> matrix_;
-  std::vector<std::uint8_t> bytes_;
-  std::int64_t number_ = 0;
 };
 
 }  // namespace
@@ -276,8 +265,9 @@ bool is_y4m(InputFile& file) {
   return ahead.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), ahead.begin());
 }
 
-std::unique_ptr<VideoReader> read_y4m(InputFile& file, std::optional<YuvMatrix> matrix) {
-  return std::make_unique<Y4mReader>(file, matrix);
+std::unique_ptr<VideoReader> read_y4m(InputFile& file, Workers& workers,
+                                      std::optional<YuvMatrix> matrix) {
+  return std::make_unique<Y4mReader>(file, workers, matrix);
 }
 
 }  // namespace kinescope

@@ -211,8 +211,9 @@ TEST(VideoDecode, WhatTheWriterWroteComesBack) {
   Y4mWriter writer(scratch.path("a.y4m"), 2000, 3, Rate{60000, 1001});
   writer.write(frame);
   writer.close();
+  Workers workers(2);
   InputFile file(scratch.path("a.y4m"));
-  const auto reader = read_y4m(file);
+  const auto reader = read_y4m(file, workers);
   EXPECT_EQ(reader->rate().numerator, 60000);
   EXPECT_EQ(reader->pixel_aspect(), 1.0);
   Image<Srgb8> back;
@@ -243,8 +244,9 @@ TEST_P(Ffmpeg, ShowsTheSameColours) {
                             .c_str()),
             0);
   const std::string expected = Scratch::text(raw);
+  Workers workers(2);
   InputFile file(film);
-  const auto reader = read_y4m(file);
+  const auto reader = read_y4m(file, workers);
   Image<Srgb8> frame;
   std::size_t at = 0;
   int frames = 0;

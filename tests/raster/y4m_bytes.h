@@ -20,13 +20,16 @@ inline std::string film_of(const std::string& header, const std::string& planes)
 class HeldFilm {
  public:
   explicit HeldFilm(const std::string& bytes)
-      : bytes_(bytes.begin(), bytes.end()), file_(bytes_, "film"), reader_(read_y4m(file_)) {}
+      : bytes_(bytes.begin(), bytes.end()),
+        file_(bytes_, "film"),
+        reader_(read_y4m(file_, workers_)) {}
   VideoReader& operator*() { return *reader_; }
   VideoReader* operator->() { return reader_.get(); }
 
  private:
   std::vector<std::uint8_t> bytes_;
   InputFile file_;
+  Workers workers_{2};
   std::unique_ptr<VideoReader> reader_;
 };
 

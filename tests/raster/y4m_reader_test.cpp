@@ -134,13 +134,15 @@ TEST(Y4mReader, TheUsersMatrixWins) {
   const std::string bytes = "YUV4MPEG2 W1 H1 C444 XMATRIX=601\nFRAME\n\x50\x40\xa0";
   const std::vector<std::uint8_t> held(bytes.begin(), bytes.end());
   InputFile file(held, "film");
-  EXPECT_EQ(read_y4m(file, YuvMatrix::kBt709)->format().matrix, YuvMatrix::kBt709);
+  Workers workers(2);
+  EXPECT_EQ(read_y4m(file, workers, YuvMatrix::kBt709)->format().matrix, YuvMatrix::kBt709);
 }
 
 TEST(RawVideo, ReadsEachLayout) {
   const auto first = [](const std::string& name, std::vector<std::uint8_t> bytes) {
     InputFile file(bytes, "film");
-    const auto reader = read_raw_video(file, raw_format(name, 1, 1).value(), Rate{60, 1});
+    Workers workers(2);
+    const auto reader = read_raw_video(file, workers, raw_format(name, 1, 1).value(), Rate{60, 1});
     Image<Srgb8> frame;
     EXPECT_TRUE(reader->read(frame)) << name;
     EXPECT_FALSE(reader->read(frame)) << name;
@@ -160,7 +162,9 @@ TEST(RawVideo, EndsInOneLine) {
   const auto fault = [](std::size_t size) -> std::string {
     const std::vector<std::uint8_t> bytes(size);
     InputFile file(bytes, "film");
-    const auto reader = read_raw_video(file, raw_format("rgb24", 2, 2).value(), Rate{60, 1});
+    Workers workers(2);
+    const auto reader =
+        read_raw_video(file, workers, raw_format("rgb24", 2, 2).value(), Rate{60, 1});
     Image<Srgb8> frame;
     try {
       while (reader->read(frame)) {
