@@ -308,15 +308,6 @@ TEST_F(ProgramDisplay, FramesWrittenBeforeTheFaultStayWhole) {
   }
 }
 
-TEST_F(ProgramDisplay, AClaimTakesNoMemory) {
-  // 16000x16000 pixels in 4:4:4 would be 732 MiB.
-  write_text(folder_ / "a.y4m", y4m_header(16000, 16000) + "FRAME\nabc");
-  const RunResult result = run_shell(
-      "ulimit -v 700000; kinescope display a.y4m --threads 1 -o b.y4m", {.folder = folder_.path()});
-  EXPECT_EQ(result.exit_code, 3) << result.err;
-  EXPECT_EQ(result.lines_of_err(), 1) << result.err;
-}
-
 TEST_F(ProgramDisplay, AClosedPipeIsOneLine) {
   for (const char* format : {"png", "y4m", "raw"}) {
     const RunResult result =
