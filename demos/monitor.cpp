@@ -109,7 +109,6 @@ const Image<LinearRgb>& Monitor::gather(const Step& step, Workers& workers,
       }
     });
   };
-  if (deeds.empty()) return expose_to(step.exposure.end);
   for (const Deed& deed : deeds) {
     add(std::min(deed.when, step.exposure.end));
     deed.deed();
@@ -121,13 +120,18 @@ const Image<LinearRgb>& Monitor::gather(const Step& step, Workers& workers,
 void Monitor::expose(const Step& step, Workers& workers, Image<Srgb8>& picture, double stops,
                      const std::vector<Deed>& deeds) {
   if (!on_) switch_on(step.exposure.begin);
-  const Image<LinearRgb>& light = gather(step, workers, deeds);
   const double refreshes = step.exposure.length() / refresh().period();
   const double whole = refreshes > 1 ? 1 / refreshes : std::max(1.0, 1 / (refreshes * kIris));
   const double gain = whole * std::exp2(-stops);
   // An exposure of one period, give or take rounding, needs none.
   const float applied = std::abs(gain - 1) < 1e-6 ? 1.0f : static_cast<float>(gain);
   const int left = static_cast<int>(face_.x), top = static_cast<int>(face_.y);
+  if (deeds.empty()) {
+    const Seconds end = tube_time(step.exposure.end);
+    tube_.photograph(buffer_, end, workers, applied, picture, left, top);
+    return;
+  }
+  const Image<LinearRgb>& light = gather(step, workers, deeds);
   assert(picture.contains(left, top) &&
          picture.contains(left + light.width() - 1, top + light.height() - 1));
   const auto width = static_cast<std::size_t>(light.width());

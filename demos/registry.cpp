@@ -12,12 +12,13 @@ namespace kinescope {
 DemoInfo teapot_demo();
 DemoInfo retrace_demo();
 DemoInfo frame_buffer_demo();
+DemoInfo phosphors_demo();
 DemoInfo pipeline_demo();
 DemoInfo test_patterns_demo();
 
 std::span<const DemoInfo> all_demos() {
-  static const std::array kDemos = {teapot_demo(), retrace_demo(), frame_buffer_demo(),
-                                    pipeline_demo(), test_patterns_demo()};
+  static const std::array kDemos = {teapot_demo(),    retrace_demo(),  frame_buffer_demo(),
+                                    phosphors_demo(), pipeline_demo(), test_patterns_demo()};
   return kDemos;
 }
 

@@ -35,7 +35,7 @@ TubeCamera::TubeCamera(const TubeSettings& settings, int width, int height, Sour
       source_(std::move(source)),
       workers_(workers),
       signal_(signal),
-      correct_(settings.gamma),
+      correct_(settings.gun.gamma),
       buffer_(settings.mode.horizontal.active, settings.mode.vertical.active,
               PixelFormat::kXrgb8888, 1),
       tube_(settings, width, height),

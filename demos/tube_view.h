@@ -18,7 +18,7 @@ class TubeView {
   /// @param room as of Monitor
   TubeView(const TubeSettings& settings, const Rect& room)
       : monitor_(settings, PixelFormat::kXrgb8888, room),
-        correct_(std::make_shared<GammaCorrection>(settings.gamma)) {}
+        correct_(std::make_shared<GammaCorrection>(settings.gun.gamma)) {}
 
   std::size_t state_bytes() const { return monitor_.state_bytes(); }
   Rate refresh() const { return monitor_.refresh(); }

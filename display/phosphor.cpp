@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "display/data_lines.h"
+#include "display/decay.h"
 #include "phosphors_txt.h"
 #include "raster/base/error.h"
 
@@ -26,37 +28,82 @@ std::string join(const Words& words, std::size_t first) {
       "{}", fmt::join(words.begin() + static_cast<std::ptrdiff_t>(first), words.end(), " "));
 }
 
-/// Lines "phosphor NAME x y", then its "term SHARE TAU_us" lines and "source TEXT" lines.
-std::vector<Phosphor> parse_phosphors() {
-  std::vector<Phosphor> all;
-  for_each_data_line(embedded::phosphors_txt(), [&](const Words& words, const std::string& where) {
-    const auto number = [&](std::size_t i) {
-      if (i >= words.size()) throw_bad_input("a number is missing", kDataFile, where);
-      return parse_number(words[i], kDataFile, where);
-    };
-    if (words[0] == "phosphor" && words.size() == 4) {
-      all.push_back({words[1], linear_of_xy(number(2), number(3)), {}, {}});
-    } else if (words[0] == "term" && !all.empty()) {
-      all.back().terms.push_back({number(1), microseconds(number(2))});
-    } else if (words[0] == "source" && !all.empty()) {
-      std::string& source = all.back().source;
-      source += (source.empty() ? "" : " ") + join(words, 1);
-    } else {
-      throw_bad_input("expected phosphor, term or source", kDataFile, where);
-    }
-  });
-  for (const Phosphor& phosphor : all) {
-    double sum = 0;
-    for (const DecayTerm& term : phosphor.terms) {
-      if (!(term.share > 0) || !(term.tau.count() > 0)) {
-        throw_bad_input(phosphor.name + " has a term that is not positive", kDataFile);
-      }
-      sum += term.share;
-    }
-    if (std::abs(sum - 1) > 1e-6) throw_bad_input(phosphor.name + "'s shares miss 1", kDataFile);
+/// One type a "phosphor" line; the lines that follow add to it, as the file's head tells.
+class PhosphorReader {
+ public:
+  std::vector<PhosphorType> read() {
+    for_each_data_line(embedded::phosphors_txt(),
+                       [&](const Words& words, const std::string& where) {
+                         words_ = &words;
+                         where_ = where;
+                         read_line(words[0]);
+                       });
+    for (PhosphorType& type : types_) finish(type);
+    return std::move(types_);
   }
-  return all;
-}
+
+ private:
+  void read_line(const std::string& key) {
+    if (key == "phosphor") {
+      types_.push_back({});
+      type().name = word(1);
+    } else if (key == "about") {
+      type().about = join(*words_, 1);
+    } else if (key == "times") {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (word(k + 1) != "-") type().times[k] = microseconds(number(k + 1));
+      }
+    } else if (key == "excitation") {
+      type().excitation = join(*words_, 1);
+    } else if (key == "error") {
+      type().fit_error = number(1) / 100;
+    } else if (key == "luminance") {
+      type().luminance = number(1);
+    } else if (key == "source") {
+      std::string& source = type().source;
+      source += (source.empty() ? "" : " ") + join(*words_, 1);
+    } else if (key == "layer") {
+      const double share = words_->size() > 4 ? number(4) : 1;
+      type().layers.push_back({word(1), linear_of_xy(number(2), number(3)), share, {}});
+    } else if (key == "term") {
+      if (type().layers.empty()) throw_bad_input("a term without a layer", kDataFile, where_);
+      type().layers.back().terms.push_back({number(1), microseconds(number(2))});
+    } else {
+      throw_bad_input("\"" + key + "\" is not known", kDataFile, where_);
+    }
+  }
+
+  PhosphorType& type() {
+    if (types_.empty()) throw_bad_input("expected phosphor", kDataFile, where_);
+    return types_.back();
+  }
+  const std::string& word(std::size_t i) const {
+    if (i >= words_->size()) throw_bad_input("a word is missing", kDataFile, where_);
+    return (*words_)[i];
+  }
+  double number(std::size_t i) const { return parse_number(word(i), kDataFile, where_); }
+
+  static void finish(PhosphorType& type) {
+    const auto fail = [&](const char* what) { throw_bad_input(type.name + what, kDataFile); };
+    if (type.layers.empty() || type.layers.size() > 3) fail(" has not one to three layers");
+    type.colour = type.layers.size() == 3;
+    double luminance = 0;
+    for (const Phosphor& layer : type.layers) {
+      double sum = 0;
+      for (const DecayTerm& term : layer.terms) {
+        if (!(term.share > 0) || !(term.tau.count() > 0)) fail(" has a term that is not positive");
+        sum += term.share;
+      }
+      if (std::abs(sum - 1) > 1e-6) fail("'s shares miss 1");
+      luminance += layer.share;
+    }
+    if (!type.colour && std::abs(luminance - 1) > 1e-5) fail("'s layers miss 1");
+  }
+
+  std::vector<PhosphorType> types_;
+  const Words* words_ = nullptr;
+  std::string where_;
+};
 
 }  // namespace
 
@@ -66,21 +113,40 @@ double Phosphor::remaining(Seconds t) const {
   return left;
 }
 
-// Steady excitation deposits at the rate at which light leaves, so each term shines with its share.
-double Phosphor::decay_after_steady(Seconds t) const { return remaining(t); }
+double Phosphor::decay_after_pulse(Seconds length, Seconds t) const {
+  double light = 0;
+  for (const DecayTerm& term : terms) {
+    light += term.share * one_minus_exp(length / term.tau) * std::exp(-(t / term.tau));
+  }
+  return light;
+}
 
-std::span<const Phosphor> phosphors() {
-  static const std::vector<Phosphor> all = parse_phosphors();
+double PhosphorType::decay_after_steady(Seconds t) const {
+  double light = 0, whole = 0;
+  for (const Phosphor& layer : layers) {
+    light += layer.share * layer.decay_after_steady(t);
+    whole += layer.share;
+  }
+  return light / whole;
+}
+
+std::span<const PhosphorType> phosphors() {
+  static const std::vector<PhosphorType> all = PhosphorReader().read();
   return all;
 }
 
-const Phosphor& find_phosphor(std::string_view name) {
-  std::string known;
-  for (const Phosphor& phosphor : phosphors()) {
-    if (phosphor.name == name) return phosphor;
-    known += (known.empty() ? "" : ", ") + phosphor.name;
+std::string phosphor_names() {
+  std::string names;
+  for (const PhosphorType& type : phosphors()) names += (names.empty() ? "" : ", ") + type.name;
+  return names;
+}
+
+const PhosphorType& find_phosphor(std::string_view name) {
+  for (const PhosphorType& type : phosphors()) {
+    if (type.name == name) return type;
   }
-  throw Error(ErrorKind::kUsage, fmt::format("no phosphor \"{}\"; there are {}", name, known));
+  throw Error(ErrorKind::kUsage,
+              fmt::format("no phosphor \"{}\"; there are {}", name, phosphor_names()));
 }
 
 }  // namespace kinescope

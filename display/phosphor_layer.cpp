@@ -12,8 +12,10 @@ namespace {
 
 constexpr double kDwell = 1;            // clocks
 constexpr double kLeastWeight = 1e-12;  // of white; what is less is left out
-// exp(-20.7) = 1e-9: a term that loses more in a frame needs no state beyond its last dose.
-constexpr double kFadesInAFrame = 20.7;
+// Of a term that loses all but exp(-9) = 1e-4 in a frame only the last dose is kept: what is left
+// of those before is carried over to a slower term. Without one, down to exp(-20.7) = 1e-9.
+constexpr double kFadesInAFrame = 9, kFadesWholly = 20.7;
+constexpr std::size_t kBases = 2;
 
 float as_float(double v) { return static_cast<float>(v); }
 
@@ -22,8 +24,6 @@ float as_float(double v) { return static_cast<float>(v); }
 PhosphorLayer::PhosphorLayer(const Phosphor& phosphor, double clock_hz, double frame_clocks,
                              int width, int height)
     : width_(width), frame_clocks_(frame_clocks) {
-  const std::size_t cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  doses_.assign(cells, 0.0f);
   for (const DecayTerm& source : phosphor.terms) {
     Term term;
     term.share = source.share;
@@ -32,12 +32,31 @@ PhosphorLayer::PhosphorLayer(const Phosphor& phosphor, double clock_hz, double f
     term.in_dwell = light_of_dose(0, kDwell, kDwell, term.tau);
     term.keep = std::exp(-frame_clocks / term.tau);
     term.gain = term.share * term.after_dwell * std::exp(-(frame_clocks - kDwell) / term.tau);
-    if (frame_clocks < kFadesInAFrame * term.tau) {
-      term.plane = static_cast<int>(states_.size());
-      states_.emplace_back(cells, 0.0f);
-    }
     fill_tables(term);
     terms_.push_back(std::move(term));
+  }
+  carry_over(frame_clocks);
+  const std::size_t cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const int planes = static_cast<int>(
+      std::count_if(terms_.begin(), terms_.end(), [](const Term& t) { return t.plane >= 0; }));
+  for (std::size_t basis = 0; basis < kBases; ++basis) {
+    doses_[basis].assign(cells, 0.0f);
+    states_[basis].assign(static_cast<std::size_t>(planes), std::vector<float>(cells, 0.0f));
+  }
+}
+
+/// Gives slow terms their planes, and the slowest what outlives a frame of the others.
+void PhosphorLayer::carry_over(double frame_clocks) {
+  const auto slowest = std::max_element(terms_.begin(), terms_.end(),
+                                        [](const Term& a, const Term& b) { return a.tau < b.tau; });
+  int planes = 0;
+  for (auto term = terms_.begin(); term != terms_.end(); ++term) {
+    const double fades = term == slowest ? kFadesWholly : kFadesInAFrame;
+    if (frame_clocks < fades * term->tau) {
+      term->plane = planes++;
+    } else if (term != slowest) {
+      slowest->gain += term->gain;
+    }
   }
 }
 
@@ -63,12 +82,14 @@ void PhosphorLayer::set_window(double length) {
 }
 
 void PhosphorLayer::darken() {
-  std::fill(doses_.begin(), doses_.end(), 0.0f);
-  for (auto& plane : states_) std::fill(plane.begin(), plane.end(), 0.0f);
+  for (std::size_t basis = 0; basis < kBases; ++basis) {
+    std::fill(doses_[basis].begin(), doses_[basis].end(), 0.0f);
+    for (auto& plane : states_[basis]) std::fill(plane.begin(), plane.end(), 0.0f);
+  }
 }
 
-void PhosphorLayer::pass(int line, const CellRange& range, const float* new_dose,
-                         LayerScratch& scratch, float* light) {
+void PhosphorLayer::pass(int line, const CellRange& range, DoseRows new_dose, LayerScratch& scratch,
+                         LightRows light) {
   int count = range.end - range.begin;
   if (count <= 0) return;
   // Only the last cell can be one that the window's begin or end meets in its dwell.
@@ -83,11 +104,14 @@ void PhosphorLayer::pass(int line, const CellRange& range, const float* new_dose
       emit(line, range, count, scratch, light);
     }
   }
-  if (dwells) pass_dwelling_cell(line, range, new_dose, light);
+  if (!dwells) return;
+  for (std::size_t basis = 0; basis < kBases; ++basis) {
+    pass_dwelling_cell(basis, line, range, new_dose[basis], light[basis]);
+  }
 }
 
 void PhosphorLayer::emit(int line, const CellRange& range, int count, LayerScratch& scratch,
-                         float* light) {
+                         LightRows light) {
   const double since_last = range.since - (count - 1);
   float* weight = scratch.old_weight.data();
   std::fill_n(weight, count, 0.0f);
@@ -103,15 +127,19 @@ void PhosphorLayer::emit(int line, const CellRange& range, int count, LayerScrat
     }
     if (term.plane >= 0) {
       const double of_state = term.window_light * decayed(since_last, term.tau).left;
-      add_light(count, as_float(of_state), decay, state_row(term.plane, line) + range.begin,
-                light + range.begin);
+      for (std::size_t basis = 0; basis < kBases; ++basis) {
+        add_light(count, as_float(of_state), decay,
+                  state_row(basis, term.plane, line) + range.begin, light[basis] + range.begin);
+      }
     }
   }
-  if (any) add_light(count, 1.0f, weight, dose_row(line) + range.begin, light + range.begin);
+  for (std::size_t basis = 0; any && basis < kBases; ++basis) {
+    add_light(count, 1.0f, weight, dose_row(basis, line) + range.begin, light[basis] + range.begin);
+  }
 }
 
 void PhosphorLayer::excite_slow(const Term& term, int line, const CellRange& range, int count,
-                                float* light) {
+                                LightRows light) {
   SlowTermStep step{};
   step.keep = as_float(term.keep);
   step.gain = as_float(term.gain);
@@ -125,12 +153,14 @@ void PhosphorLayer::excite_slow(const Term& term, int line, const CellRange& ran
   step.old_decay = term.decay.data() + (width_ - count);
   step.old_grown = term.grown.data();
   step.new_grown = term.grown_back.data() + (width_ - count);
-  excite_slow_term(count, step, dose_row(line) + range.begin,
-                   state_row(term.plane, line) + range.begin, light + range.begin);
+  for (std::size_t basis = 0; basis < kBases; ++basis) {
+    excite_slow_term(count, step, dose_row(basis, line) + range.begin,
+                     state_row(basis, term.plane, line) + range.begin, light[basis] + range.begin);
+  }
 }
 
-void PhosphorLayer::excite(int line, const CellRange& range, int count, const float* new_dose,
-                           LayerScratch& scratch, float* light) {
+void PhosphorLayer::excite(int line, const CellRange& range, int count, DoseRows new_dose,
+                           LayerScratch& scratch, LightRows light) {
   const double since_last = range.since - (count - 1);
   const double before_first = frame_clocks_ - range.since;
   const double until_last = range.until - (count - 1);
@@ -157,17 +187,19 @@ void PhosphorLayer::excite(int line, const CellRange& range, int count, const fl
       add_scaled(count, as_float(new_left), term.grown_back.data() + (width_ - count), new_weight);
     }
   }
-  excite_dose(count, old_weight, as_float(even), new_weight, new_dose + range.begin,
-              dose_row(line) + range.begin, light + range.begin);
+  for (std::size_t basis = 0; basis < kBases; ++basis) {
+    excite_dose(count, old_weight, as_float(even), new_weight, new_dose[basis] + range.begin,
+                dose_row(basis, line) + range.begin, light[basis] + range.begin);
+  }
 }
 
-void PhosphorLayer::pass_dwelling_cell(int line, const CellRange& range, const float* new_dose,
-                                       float* light) {
+void PhosphorLayer::pass_dwelling_cell(std::size_t basis, int line, const CellRange& range,
+                                       const float* new_dose, float* light) {
   const int cell = range.end - 1;
   const double since = range.since - (cell - range.begin);
   const double old_span = range.excited ? frame_clocks_ - since : window_;
   const double until = range.until - (cell - range.begin);
-  const double dose = dose_row(line)[cell];
+  const double dose = dose_row(basis, line)[cell];
   double sum = 0;
   for (const Term& term : terms_) {
     sum += dose * term.share * light_of_dose(since, since + old_span, kDwell, term.tau);
@@ -175,14 +207,14 @@ void PhosphorLayer::pass_dwelling_cell(int line, const CellRange& range, const f
       sum += new_dose[cell] * term.share * light_of_dose(0, until, kDwell, term.tau);
     }
     if (term.plane < 0) continue;
-    float& state = state_row(term.plane, line)[cell];
+    float& state = state_row(basis, term.plane, line)[cell];
     sum += state * decayed(since, term.tau).left * one_minus_exp(old_span / term.tau);
     if (range.excited) {
       state = as_float(term.keep * state + term.gain * dose);
       sum += state * one_minus_exp(until / term.tau);
     }
   }
-  if (range.excited) dose_row(line)[cell] = new_dose[cell];
+  if (range.excited) dose_row(basis, line)[cell] = new_dose[cell];
   light[cell] += as_float(sum);
 }
 

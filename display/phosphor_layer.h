@@ -1,7 +1,9 @@
 // One phosphor over the whole faceplate: what each cell still holds, and the light it gives in any
-// window of time, in closed form. A cell is one pixel of one scan line.
+// window of time, in closed form. A cell is one pixel of one scan line. Everything is kept twice:
+// for what the narrow and what the wide Gaussian of the spot brought, which decay alike.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -18,9 +20,13 @@ struct CellRange {
   double until = 0;      ///< of cell `begin`, if excited: b - the start of that one
 };
 
+/// One row for the narrow and one for the wide Gaussian, indexed by cell.
+using DoseRows = std::array<const float*, 2>;
+using LightRows = std::array<float*, 2>;
+
 /// Work space of one worker.
 struct LayerScratch {
-  std::vector<float> old_weight, new_weight, light;
+  std::vector<float> old_weight, new_weight;
 };
 
 class PhosphorLayer {
@@ -32,10 +38,10 @@ class PhosphorLayer {
   /// Sets the length of the window for the calls of pass() that follow, in clocks, at most a frame.
   void set_window(double length);
 
-  /// Light of the cells of one range in the window, added to `light` (a row, indexed by cell);
-  /// moves excited cells on to their new doses (a row likewise; 1 is white's light of one frame).
-  void pass(int line, const CellRange& range, const float* new_dose, LayerScratch& scratch,
-            float* light);
+  /// Light of the cells of one range in the window, added to `light`; moves excited cells on to
+  /// their new doses (1 is white's light of one frame).
+  void pass(int line, const CellRange& range, DoseRows new_dose, LayerScratch& scratch,
+            LightRows light);
 
   void darken();
 
@@ -54,14 +60,16 @@ class PhosphorLayer {
   };
 
   void fill_tables(Term& term) const;
-  void emit(int line, const CellRange& range, int count, LayerScratch& scratch, float* light);
-  void excite(int line, const CellRange& range, int count, const float* new_dose,
-              LayerScratch& scratch, float* light);
-  void excite_slow(const Term& term, int line, const CellRange& range, int count, float* light);
-  void pass_dwelling_cell(int line, const CellRange& range, const float* new_dose, float* light);
-  float* dose_row(int line) { return doses_.data() + offset(line); }
-  float* state_row(int plane, int line) {
-    return states_[static_cast<std::size_t>(plane)].data() + offset(line);
+  void carry_over(double frame_clocks);
+  void emit(int line, const CellRange& range, int count, LayerScratch& scratch, LightRows light);
+  void excite(int line, const CellRange& range, int count, DoseRows new_dose, LayerScratch& scratch,
+              LightRows light);
+  void excite_slow(const Term& term, int line, const CellRange& range, int count, LightRows light);
+  void pass_dwelling_cell(std::size_t basis, int line, const CellRange& range,
+                          const float* new_dose, float* light);
+  float* dose_row(std::size_t basis, int line) { return doses_[basis].data() + offset(line); }
+  float* state_row(std::size_t basis, int plane, int line) {
+    return states_[basis][static_cast<std::size_t>(plane)].data() + offset(line);
   }
   std::size_t offset(int line) const {
     return static_cast<std::size_t>(line) * static_cast<std::size_t>(width_);
@@ -71,8 +79,9 @@ class PhosphorLayer {
   double frame_clocks_;
   double window_ = 0;
   std::vector<Term> terms_;
-  std::vector<float> doses_;                // each cell's last dose
-  std::vector<std::vector<float>> states_;  // light to come, when that dose began, of those before
+  std::array<std::vector<float>, 2> doses_;  // each cell's last dose
+  // Light to come, when that dose began, of those before it.
+  std::array<std::vector<std::vector<float>>, 2> states_;
 };
 
 }  // namespace kinescope

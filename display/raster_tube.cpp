@@ -4,18 +4,17 @@
 #include <cassert>
 #include <cmath>
 #include <utility>
+#include <vector>
 
-#include "display/beam_spot.h"
-#include "display/gun_drive.h"
+#include "display/layer_colours.h"
 #include "display/phosphor_layer.h"
-#include "display/tube_kernels.h"
+#include "display/tube/gun.h"
+#include "display/tube/screen.h"
 
 namespace kinescope {
 namespace {
 
 constexpr int kLinesATask = 8;
-constexpr int kRowsATask =
-    64;  // of the output: many, for the lines at a task's edge are spread twice
 
 int tasks_of(int lines) { return (lines + kLinesATask - 1) / kLinesATask; }
 
@@ -50,21 +49,18 @@ LineRanges line_ranges(const RasterScan& scan, BeamTime begin, BeamTime end, int
   return ranges;
 }
 
-}  // namespace
-
 /// Work space of one worker.
 struct TubeScratch {
   LayerScratch layer;
-  std::vector<float> doses, mixed;
   std::vector<GunDrive> drives;
-  std::vector<float> spread;  // a ring of lines spread over the output's columns, three channels
+  std::vector<float> voltage, narrow, wide;
 };
 
 /// What an exposure works in; nothing of it outlives the exposure but the picture handed out, so a
 /// copy of a tube starts with none of it.
 struct TubeWork {
-  std::vector<GunDrive> drives;           // of each cell's excitation in the window
-  std::vector<std::vector<float>> light;  // a layer's light of the exposure, a cell each
+  std::vector<LayerLight> doses;  // of each signal, of each cell's excitation in the window
+  std::vector<LayerLight> light;  // of each layer, of the exposure
   Image<LinearRgb> picture;
   std::vector<TubeScratch> scratch;
 
@@ -76,48 +72,54 @@ struct TubeWork {
   ~TubeWork() = default;
 };
 
+struct TubeLayer {
+  PhosphorLayer phosphor;
+  std::size_t signal;
+};
+
+}  // namespace
+
 struct RasterTube::State {
   State(const TubeSettings& s, int new_width, int new_height);
 
   void set_size(int new_width, int new_height);
   void prepare(Workers& workers);
+  void gather(FrameBuffer& buffer, Seconds end, Workers& workers);
   void read_buffer(FrameBuffer& buffer, BeamTime end, Workers& workers);
   void read_lines(const FrameBuffer& buffer, BeamTime begin, BeamTime end, Workers& workers);
+  void read_line(const FrameBuffer& buffer, BeamTime begin, BeamTime end, int line,
+                 TubeScratch& scratch);
   void pass_window(BeamTime end, Workers& workers);
   void pass_line(BeamTime end, int line, bool first, TubeScratch& scratch);
-  void spread_line(int line, TubeScratch& scratch, float* out);
-  void spread_rows(int begin, int end, TubeScratch& scratch);
-  void spread_picture(Workers& workers);
 
   int cells() const { return scan.mode().horizontal.active; }
   int lines() const { return scan.mode().vertical.active; }
-  GunDrive* drive_row(int line) {
-    return work.drives.data() + static_cast<std::ptrdiff_t>(line) * cells();
-  }
-  float* light_row(std::size_t layer, int line) {
-    return work.light[layer].data() + static_cast<std::ptrdiff_t>(line) * cells();
-  }
-  std::ptrdiff_t spread_pitch() const { return 3 * width + 8; }
 
   TubeSettings settings;
   RasterScan scan;
-  GunCurve curve;
+  Gun gun;
   BeamTime now;
   bool fresh = true;  // no window of this exposure has passed yet
-  std::vector<PhosphorLayer> layers;
-  std::array<std::array<float, 3>, 3> colours{};
-  AxisWeights across, down;
-  int width = 0, height = 0;  // of the output
+  std::vector<Signal> signals;
+  std::vector<TubeLayer> layers;
+  std::vector<ScreenLayer> screen_layers;
+  int width = 0, height = 0;       // of the output
+  std::shared_ptr<Screen> screen;  // follows from the settings and the size
   TubeWork work;
 };
 
 RasterTube::State::State(const TubeSettings& s, int new_width, int new_height)
-    : settings(s), scan(s.mode), curve(s.gamma) {
-  const auto phosphors_used = faceplate_phosphors(s.phosphor);
-  colours = layer_colours(phosphors_used);
-  for (const Phosphor* phosphor : phosphors_used) {
-    layers.emplace_back(*phosphor, s.mode.pixel_clock_hz, to_clocks(scan.frame_clocks()), cells(),
-                        lines());
+    : settings(s), scan(s.mode), gun(s.gun, SpotModel(s.spot), s.mode.pixel_clock_hz) {
+  const PhosphorType& type = find_phosphor(s.phosphor);
+  const auto colours = layer_colours(type);
+  signals = type.colour ? std::vector{Signal::kRed, Signal::kGreen, Signal::kBlue}
+                        : std::vector{Signal::kGrey};
+  for (std::size_t i = 0; i < type.layers.size(); ++i) {
+    const std::size_t signal = type.colour ? i : 0;
+    layers.push_back({PhosphorLayer(type.layers[i], s.mode.pixel_clock_hz,
+                                    to_clocks(scan.frame_clocks()), cells(), lines()),
+                      signal});
+    screen_layers.push_back({static_cast<int>(signal), colours[i]});
   }
   set_size(new_width, new_height);
 }
@@ -126,26 +128,25 @@ void RasterTube::State::set_size(int new_width, int new_height) {
   assert(new_width > 0 && new_height > 0);
   width = new_width;
   height = new_height;
-  across = spot_weights(cells(), width, settings.spot_sigma_pixels, true);
-  down = spot_weights(lines(), height, settings.spot_sigma_lines, false);
+  screen = std::make_shared<Screen>(settings, screen_layers, width, height);
   work = TubeWork();
 }
 
 void RasterTube::State::prepare(Workers& workers) {
+  const auto resize = [&](std::vector<LayerLight>& planes, std::size_t count) {
+    while (planes.size() < count) planes.push_back({{cells(), lines()}, {cells(), lines()}});
+  };
+  resize(work.doses, signals.size());
+  resize(work.light, layers.size());
   const std::size_t n = static_cast<std::size_t>(cells());
-  const std::size_t line_count = static_cast<std::size_t>(lines());
-  work.drives.resize(n * line_count);
-  work.light.resize(layers.size());
-  for (auto& plane : work.light) plane.resize(n * line_count);
-  if (work.picture.empty()) work.picture = Image<LinearRgb>(width, height);
   work.scratch.resize(static_cast<std::size_t>(workers.count()));
   for (TubeScratch& s : work.scratch) {
     s.layer.old_weight.resize(n);
     s.layer.new_weight.resize(n);
-    s.doses.resize(n);
     s.drives.resize(n);
-    s.mixed.resize(3 * n + 8);
-    s.spread.resize(static_cast<std::size_t>(spread_pitch() * down.taps));
+    s.narrow.resize(n);
+    s.wide.resize(n);
+    s.voltage.resize(n + 2 * static_cast<std::size_t>(gun.reach()) + kGroup);
   }
 }
 
@@ -168,92 +169,77 @@ void RasterTube::State::read_lines(const FrameBuffer& buffer, BeamTime begin, Be
                                    Workers& workers) {
   if (begin >= end) return;
   workers.run(tasks_of(lines()), [&](int task, int worker) {
-    std::vector<GunDrive>& row = work.scratch[static_cast<std::size_t>(worker)].drives;
     const int last = std::min(lines(), (task + 1) * kLinesATask);
     for (int line = task * kLinesATask; line < last; ++line) {
-      const LineRanges ranges = line_ranges(scan, begin, end, line);
-      bool read = false;
-      for (const CellRange& range : ranges.range) {
-        if (!range.excited || range.begin == range.end) continue;
-        if (line >= buffer.height()) {
-          std::fill(row.begin(), row.end(), GunDrive{});
-        } else if (!std::exchange(read, true)) {
-          buffer.read_line(line, row);
-        }
-        std::copy(row.begin() + range.begin, row.begin() + range.end,
-                  drive_row(line) + range.begin);
-      }
+      read_line(buffer, begin, end, line, work.scratch[static_cast<std::size_t>(worker)]);
     }
   });
+}
+
+/// The doses of those cells of a line that the beam meets in [begin, end).
+void RasterTube::State::read_line(const FrameBuffer& buffer, BeamTime begin, BeamTime end, int line,
+                                  TubeScratch& s) {
+  const LineRanges ranges = line_ranges(scan, begin, end, line);
+  const auto met = [](const CellRange& r) { return r.excited && r.begin != r.end; };
+  if (std::none_of(std::begin(ranges.range), std::end(ranges.range), met)) return;
+  if (line >= buffer.height()) {
+    std::fill(s.drives.begin(), s.drives.end(), GunDrive{});
+  } else {
+    buffer.read_line(line, s.drives);
+  }
+  for (std::size_t signal = 0; signal < signals.size(); ++signal) {
+    gun.doses(s.drives, signals[signal], s.voltage, s.narrow.data(), s.wide.data());
+    for (const CellRange& range : ranges.range) {
+      if (!met(range)) continue;
+      LayerLight& doses = work.doses[signal];
+      std::copy(s.narrow.begin() + range.begin, s.narrow.begin() + range.end,
+                doses.narrow.line(line) + range.begin);
+      std::copy(s.wide.begin() + range.begin, s.wide.begin() + range.end,
+                doses.wide.line(line) + range.begin);
+    }
+  }
 }
 
 void RasterTube::State::pass_line(BeamTime end, int line, bool first, TubeScratch& s) {
   const LineRanges ranges = line_ranges(scan, now, end, line);
-  const std::span<const GunDrive> row(drive_row(line), static_cast<std::size_t>(cells()));
-  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-    float* const light_of_line = light_row(layer, line);
-    if (first) std::fill_n(light_of_line, cells(), 0.0f);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    TubeLayer& layer = layers[i];
+    const LayerLight& doses = work.doses[layer.signal];
+    float* const narrow = work.light[i].narrow.line(line);
+    float* const wide = work.light[i].wide.line(line);
+    if (first) {
+      std::fill_n(narrow, cells(), 0.0f);
+      std::fill_n(wide, cells(), 0.0f);
+    }
     for (const CellRange& range : ranges.range) {
-      if (range.begin == range.end) continue;
-      if (range.excited) {
-        const auto part = row.subspan(static_cast<std::size_t>(range.begin),
-                                      static_cast<std::size_t>(range.end - range.begin));
-        float* const doses = s.doses.data() + range.begin;
-        if (layers.size() == 1) {
-          curve.grey_doses(part, doses);
-        } else {
-          curve.colour_doses(part, static_cast<int>(layer), doses);
-        }
-      }
-      layers[layer].pass(line, range, s.doses.data(), s.layer, light_of_line);
+      layer.phosphor.pass(line, range, {doses.narrow.line(line), doses.wide.line(line)}, s.layer,
+                          {narrow, wide});
     }
   }
-}
-
-void RasterTube::State::spread_line(int line, TubeScratch& s, float* out) {
-  const float* rows[3] = {};
-  for (std::size_t layer = 0; layer < layers.size(); ++layer) rows[layer] = light_row(layer, line);
-  float colour[3][3];
-  for (std::size_t i = 0; i < 3; ++i) std::copy(colours[i].begin(), colours[i].end(), colour[i]);
-  mix_layers(cells(), {rows, layers.size()}, colour, s.mixed.data());
-  spread_across(width, across.taps, across.start.data(), across.weight.data(), s.mixed.data(), out);
 }
 
 void RasterTube::State::pass_window(BeamTime end, Workers& workers) {
   const bool first = std::exchange(fresh, false);
-  for (PhosphorLayer& layer : layers) layer.set_window(to_clocks(end - now));
+  for (TubeLayer& layer : layers) layer.phosphor.set_window(to_clocks(end - now));
   workers.run(tasks_of(lines()), [&](int task, int worker) {
     TubeScratch& s = work.scratch[static_cast<std::size_t>(worker)];
     const int stop = std::min(lines(), (task + 1) * kLinesATask);
-    for (int line = task * kLinesATask; line < stop; ++line) {
-      pass_line(end, line, first, s);
-    }
+    for (int line = task * kLinesATask; line < stop; ++line) pass_line(end, line, first, s);
   });
 }
 
-/// Output rows [begin, end): each line they need is spread across once, into a ring of lines.
-void RasterTube::State::spread_rows(int begin, int end, TubeScratch& s) {
-  const auto ring_row = [&](int line) {
-    return s.spread.data() + (line % down.taps) * spread_pitch();
-  };
-  const std::size_t taps = static_cast<std::size_t>(down.taps);
-  std::vector<const float*> rows(taps);
-  int next = down.start[static_cast<std::size_t>(begin)];
-  for (int y = begin; y < end; ++y) {
-    const std::size_t at = static_cast<std::size_t>(y);
-    const int first = down.start[at];
-    next = std::max(next, first);
-    for (; next < first + down.taps; ++next) spread_line(next, s, ring_row(next));
-    for (std::size_t t = 0; t < taps; ++t) rows[t] = ring_row(first + static_cast<int>(t));
-    spread_down(3 * width, rows, down.weight.data() + at * taps, &work.picture.row(y)->r);
-  }
-}
-
-void RasterTube::State::spread_picture(Workers& workers) {
-  workers.run((height + kRowsATask - 1) / kRowsATask, [&](int task, int worker) {
-    spread_rows(task * kRowsATask, std::min(height, (task + 1) * kRowsATask),
-                work.scratch[static_cast<std::size_t>(worker)]);
-  });
+/// The light of every cell in [now, end).
+void RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& workers) {
+  const BeamTime until = scan.clock().at(end);
+  assert(until >= now);
+  prepare(workers);
+  fresh = true;
+  do {
+    const BeamTime cut = std::min(until, now + scan.frame_clocks());
+    read_buffer(buffer, cut, workers);
+    pass_window(cut, workers);
+    now = cut;
+  } while (now < until);
 }
 
 RasterTube::RasterTube(const TubeSettings& settings, int width, int height)
@@ -273,25 +259,24 @@ Seconds RasterTube::now() const { return state_->scan.clock().seconds(state_->no
 
 void RasterTube::reset() {
   state_->now = BeamTime();
-  for (PhosphorLayer& layer : state_->layers) layer.darken();
+  for (TubeLayer& layer : state_->layers) layer.phosphor.darken();
 }
 
 void RasterTube::resize(int width, int height) { state_->set_size(width, height); }
 
 const Image<LinearRgb>& RasterTube::expose(FrameBuffer& buffer, Seconds end, Workers& workers) {
   State& s = *state_;
-  const BeamTime until = s.scan.clock().at(end);
-  assert(until >= s.now);
-  s.prepare(workers);
-  s.fresh = true;
-  do {
-    const BeamTime cut = std::min(until, s.now + s.scan.frame_clocks());
-    s.read_buffer(buffer, cut, workers);
-    s.pass_window(cut, workers);
-    s.now = cut;
-  } while (s.now < until);
-  s.spread_picture(workers);
+  s.gather(buffer, end, workers);
+  s.screen->show(s.work.light, workers, false, s.work.picture);
   return s.work.picture;
+}
+
+void RasterTube::photograph(FrameBuffer& buffer, Seconds end, Workers& workers, float gain,
+                            Image<Srgb8>& out, int left, int top) {
+  State& s = *state_;
+  assert(out.contains(left, top) && out.contains(left + s.width - 1, top + s.height - 1));
+  s.gather(buffer, end, workers);
+  s.screen->photograph(s.work.light, workers, gain, out, left, top);
 }
 
 }  // namespace kinescope

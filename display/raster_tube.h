@@ -2,32 +2,21 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
-#include "display/exposure.h"
 #include "display/frame_buffer.h"
-#include "display/phosphor.h"
 #include "display/raster_scan.h"
+#include "display/tube/settings.h"
 #include "raster/base/workers.h"
 #include "raster/image/image.h"
 
 namespace kinescope {
 
-struct TubeSettings {
-  VideoMode mode;
-  std::string phosphor = "P22";   ///< "P22" for the colour triple, or a monochrome type
-  double gamma = 2.35;            ///< light = drive ^ gamma (EBU reference display)
-  double spot_sigma_lines = 0.3;  ///< vertical standard deviation of the spot, in scan-line pitches
-  double spot_sigma_pixels = 0.4;  ///< horizontal standard deviation, in mode pixels
-};
-
-/// A tube's light. Its cells are the mode's pixels on their scan lines; a line sweeps straight and
-/// the picture fills the output image. A frame buffer smaller than the mode leaves the rest dark.
-/// Not modelled: a spot that grows with current, video bandwidth, deflection faults, mask and
-/// glass. A monochrome tube's drive is the guns' mixture 0.299 R + 0.587 G + 0.114 B; its white has
-/// the phosphor's hue, scaled so that the largest channel is 1 (channels out of gamut stay
-/// negative). Copying one copies the phosphor's whole state (so a demo can step back). Exposures
-/// must follow each other in time without gaps; each scans the frame buffer as it then is.
+/// A tube's light. Its cells are the mode's pixels on their scan lines; deflection lays them on the
+/// glass, which fills the output image. A frame buffer smaller than the mode leaves the rest dark.
+/// A monochrome tube's drive is the guns' mixture 0.299 R + 0.587 G + 0.114 B; its white has the
+/// phosphor's hue, scaled so that the largest channel is 1 (channels out of gamut stay negative).
+/// Copying one copies the phosphor's whole state (so a demo can step back). Exposures must follow
+/// each other in time without gaps; each scans the frame buffer as it then is.
 class RasterTube {
  public:
   RasterTube(const TubeSettings& settings, int width, int height);
@@ -47,9 +36,14 @@ class RasterTube {
   void resize(int width, int height);
 
   /// The light of [now, end), per output pixel, in refresh-periods of steady white: exposing one
-  /// whole frame period of a steady white picture gives 1. Retrace flips the buffer's waiting page.
+  /// whole frame period of a steady white picture gives 1, averaged over scan lines and mask.
   /// @return valid until the next call
   const Image<LinearRgb>& expose(FrameBuffer& buffer, Seconds end, Workers& workers);
+
+  /// The same light times `gain`, encoded into `out` with its upper left corner at (left, top);
+  /// faster, for the light itself is never stored.
+  void photograph(FrameBuffer& buffer, Seconds end, Workers& workers, float gain, Image<Srgb8>& out,
+                  int left = 0, int top = 0);
 
  private:
   struct State;

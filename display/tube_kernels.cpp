@@ -80,96 +80,43 @@ void ExciteDose(int n, const float* old_weight, float even, const float* new_wei
   });
 }
 
-template <int kLayers>
-void MixLayersOf(int n, const float* const* light, const float (*colour)[3], float* out) {
-  const Floats d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  int i = 0;
-  for (; i + lanes <= n; i += lanes) {
-    hn::Vec<Floats> sum[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    for (int layer = 0; layer < kLayers; ++layer) {
-      const auto l = hn::LoadU(d, light[layer] + i);
-      for (int c = 0; c < 3; ++c) {
-        sum[c] = hn::MulAdd(hn::Set(d, colour[layer][c]), l, sum[c]);
-      }
-    }
-    hn::StoreInterleaved3(sum[0], sum[1], sum[2], d, out + 3 * i);
-  }
-  for (; i < n; ++i) {
-    for (int c = 0; c < 3; ++c) {
-      float sum = 0;
-      for (int layer = 0; layer < kLayers; ++layer) sum += colour[layer][c] * light[layer][i];
-      out[3 * i + c] = sum;
-    }
-  }
+template <typename D>
+HWY_INLINE void StoreDose(D d, const float* table, hn::Vec<hn::RebindToSigned<D>> at,
+                          hn::Vec<D> share, float* out) {
+  const auto low = hn::GatherIndex(d, table, at);
+  const auto high = hn::GatherIndex(d, table + 1, at);
+  hn::StoreU(hn::MulAdd(share, hn::Sub(high, low), low), d, out);
 }
 
-void MixLayers(int n, std::span<const float* const> light, const float (*colour)[3], float* out) {
-  if (light.size() == 1) {
-    MixLayersOf<1>(n, light.data(), colour, out);
-  } else {
-    MixLayersOf<3>(n, light.data(), colour, out);
-  }
-}
-
-/// With the number of taps known the compiler unrolls; kTaps 0 takes any.
-template <int kTaps>
-void SpreadAcrossBy(int width, int any_taps, const int* start, const float* weight, const float* in,
-                    float* out) {
-  const int taps = kTaps > 0 ? kTaps : any_taps;
-  // Red, green, blue, and a lane that the next pixel overwrites; one at a time without vectors.
-  const hn::CappedTag<float, 4> d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int x = 0; x < width; ++x, weight += taps) {
-    for (int channel = 0; channel < 3; channel += lanes) {
-      const float* from = in + 3 * start[x] + channel;
-      auto sum = hn::Mul(hn::Set(d, weight[0]), hn::LoadU(d, from));
-#pragma GCC unroll 4
-      for (int t = 1; t < taps; ++t) {
-        sum = hn::MulAdd(hn::Set(d, weight[t]), hn::LoadU(d, from + 3 * t), sum);
-      }
-      hn::StoreU(sum, d, out + 3 * x + channel);
-    }
-  }
-}
-
-void SpreadAcross(int width, int taps, const int* start, const float* weight, const float* in,
-                  float* out) {
-  switch (taps) {
-    case 3:
-      return SpreadAcrossBy<3>(width, taps, start, weight, in, out);
-    case 4:
-      return SpreadAcrossBy<4>(width, taps, start, weight, in, out);
-    case 5:
-      return SpreadAcrossBy<5>(width, taps, start, weight, in, out);
-    default:
-      return SpreadAcrossBy<0>(width, taps, start, weight, in, out);
-  }
-}
-
-template <int kRows>
-void SpreadDownBy(int n, const float* const* rows, int any_count, const float* weight, float* out) {
-  const int count = kRows > 0 ? kRows : any_count;
+void Amplify(int n, std::span<const float> response, float scale, const float* voltage,
+             const float* narrow_table, const float* wide_table, float* narrow, float* wide) {
   for_each_vector(n, [=](auto d, int i) {
-    auto sum = hn::Mul(hn::Set(d, weight[0]), hn::LoadU(d, rows[0] + i));
-#pragma GCC unroll 4
-    for (int r = 1; r < count; ++r) {
-      sum = hn::MulAdd(hn::Set(d, weight[r]), hn::LoadU(d, rows[r] + i), sum);
+    auto sum = hn::Zero(d);
+    for (std::size_t t = 0; t < response.size(); ++t) {
+      sum = hn::MulAdd(hn::Set(d, response[t]),
+                       hn::LoadU(d, voltage + i + static_cast<std::ptrdiff_t>(t)), sum);
     }
-    hn::StoreU(sum, d, out + i);
+    const auto at = hn::Mul(sum, hn::Set(d, scale));
+    const hn::RebindToSigned<decltype(d)> di;
+    const auto whole = hn::ConvertTo(di, at);
+    const auto share = hn::Sub(at, hn::ConvertTo(d, whole));
+    StoreDose(d, narrow_table, whole, share, narrow + i);
+    StoreDose(d, wide_table, whole, share, wide + i);
   });
 }
 
-void SpreadDown(int n, std::span<const float* const> rows, const float* weight, float* out) {
-  const int count = static_cast<int>(rows.size());
-  switch (count) {
-    case 3:
-      return SpreadDownBy<3>(n, rows.data(), count, weight, out);
-    case 4:
-      return SpreadDownBy<4>(n, rows.data(), count, weight, out);
-    default:
-      return SpreadDownBy<0>(n, rows.data(), count, weight, out);
-  }
+void AddRows(int n, const float* a, const float* b, float* sum) {
+  for_each_vector(n, [=](auto d, int i) {
+    const auto both = hn::Add(hn::LoadU(d, a + i), hn::LoadU(d, b + i));
+    hn::StoreU(hn::Add(hn::LoadU(d, sum + i), both), d, sum + i);
+  });
+}
+
+void FillRamp(int n, float start, float slope, float* out) {
+  for_each_vector(n, [=](auto d, int i) {
+    const auto at = hn::Iota(d, static_cast<float>(i) + 0.5f);
+    hn::StoreU(hn::MulAdd(hn::Set(d, slope), at, hn::Set(d, start)), d, out + i);
+  });
 }
 
 }  // namespace
@@ -185,9 +132,9 @@ HWY_EXPORT(AddScaledProduct);
 HWY_EXPORT(AddLight);
 HWY_EXPORT(ExciteSlowTerm);
 HWY_EXPORT(ExciteDose);
-HWY_EXPORT(MixLayers);
-HWY_EXPORT(SpreadAcross);
-HWY_EXPORT(SpreadDown);
+HWY_EXPORT(Amplify);
+HWY_EXPORT(AddRows);
+HWY_EXPORT(FillRamp);
 
 void add_scaled(int n, float scale, const float* a, float* out) {
   HWY_DYNAMIC_DISPATCH(AddScaled)(n, scale, a, out);
@@ -212,17 +159,18 @@ void excite_dose(int n, const float* old_weight, float even, const float* new_we
   HWY_DYNAMIC_DISPATCH(ExciteDose)(n, old_weight, even, new_weight, new_dose, dose, light);
 }
 
-void mix_layers(int n, std::span<const float* const> light, const float (*colour)[3], float* out) {
-  HWY_DYNAMIC_DISPATCH(MixLayers)(n, light, colour, out);
+void amplify(int n, std::span<const float> response, float scale, const float* voltage,
+             const float* narrow_table, const float* wide_table, float* narrow, float* wide) {
+  HWY_DYNAMIC_DISPATCH(Amplify)
+  (n, response, scale, voltage, narrow_table, wide_table, narrow, wide);
 }
 
-void spread_across(int width, int taps, const int* start, const float* weight, const float* in,
-                   float* out) {
-  HWY_DYNAMIC_DISPATCH(SpreadAcross)(width, taps, start, weight, in, out);
+void add_rows(int n, const float* a, const float* b, float* sum) {
+  HWY_DYNAMIC_DISPATCH(AddRows)(n, a, b, sum);
 }
 
-void spread_down(int n, std::span<const float* const> rows, const float* weight, float* out) {
-  HWY_DYNAMIC_DISPATCH(SpreadDown)(n, rows, weight, out);
+void fill_ramp(int n, float start, float slope, float* out) {
+  HWY_DYNAMIC_DISPATCH(FillRamp)(n, start, slope, out);
 }
 
 }  // namespace kinescope

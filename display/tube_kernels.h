@@ -31,15 +31,15 @@ void excite_slow_term(int n, const SlowTermStep& step, const float* old_dose, fl
 void excite_dose(int n, const float* old_weight, float even, const float* new_weight,
                  const float* new_dose, float* dose, float* light);
 
-/// out[3 i + c] = sum over layers of light[layer][i] * colour[layer][c]; one or three layers.
-void mix_layers(int n, std::span<const float* const> light, const float (*colour)[3], float* out);
+/// The amplifier: voltage[i .. i + response.size()) times response, and the doses of the result, by
+/// chords over tables of samples at whole numbers of voltage * scale; at most 2 beyond their end.
+void amplify(int n, std::span<const float> response, float scale, const float* voltage,
+             const float* narrow_table, const float* wide_table, float* narrow, float* wide);
 
-/// out[3 X + c] = sum over taps of weight[X * taps + t] * in[3 * (start[X] + t) + c]. Both rows
-/// need a spare float at their end.
-void spread_across(int width, int taps, const int* start, const float* weight, const float* in,
-                   float* out);
+/// sum[i] += a[i] + b[i]
+void add_rows(int n, const float* a, const float* b, float* sum);
 
-/// out[i] = sum over rows of weight[r] * rows[r][i]
-void spread_down(int n, std::span<const float* const> rows, const float* weight, float* out);
+/// out[i] = start + slope * (i + 1/2)
+void fill_ramp(int n, float start, float slope, float* out);
 
 }  // namespace kinescope

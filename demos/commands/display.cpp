@@ -132,7 +132,7 @@ int show_picture(const Options& options, const DisplayPlan& plan, PictureFeed& f
   const Image<Srgb8>& raster = fit(picture);
   const TubeSettings& tube = plan.shot.tube;
   const bool is_drive = plan.shot.signal == TubeSignal::kGunDrive;
-  GammaCorrection correct(tube.gamma);
+  GammaCorrection correct(tube.gun.gamma);
   const DemoInfo demo = picture_demo(tube, is_drive ? raster : correct(raster));
   return run_demo_window(demo, {plan.shot.size.width, plan.shot.size.height, options.common.seed,
                                 options.common.threads});

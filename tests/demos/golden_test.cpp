@@ -74,6 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Golden{"frame-buffer", "frame-buffer", 6,
                              "1 key Left\n1 key Left\n1 key Left\n"},
                       Golden{"frame-buffer-torn", "frame-buffer", 20, "0 key 3\n0 key f\n"},
+                      Golden{"phosphors", "phosphors", 30, "0 key t\n0 key t\n"},
                       Golden{"pipeline", "pipeline", 3, ""},
                       Golden{"test-patterns", "test-patterns", 5, "0 key m\n"}),
     [](const auto& golden) {

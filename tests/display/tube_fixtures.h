@@ -25,7 +25,7 @@ inline VideoMode tiny_mode(bool interlaced = false) {
 /// A spot so small that a picture of the mode's size shows each cell alone.
 inline TubeSettings sharp(const VideoMode& mode, const std::string& phosphor) {
   TubeSettings settings{mode, phosphor};
-  settings.spot_sigma_lines = settings.spot_sigma_pixels = 0;
+  settings.spot.sigma_mm = 0;
   return settings;
 }
 

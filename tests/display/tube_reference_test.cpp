@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "display/gun_drive.h"
+#include "display/layer_colours.h"
 #include "tests/display/tube_fixtures.h"
 
 namespace kinescope {
@@ -67,10 +67,10 @@ int start_clock(const VideoMode& mode, int x, int y) {
 class SteppedTube {
  public:
   SteppedTube(const VideoMode& mode, const std::string& name)
-      : mode_(mode), layers_(faceplate_phosphors(name)) {
+      : mode_(mode), type_(find_phosphor(name)), layers_(type_.layers) {
     const double step_s = 1 / mode.pixel_clock_hz / kStepsAClock / kSubsteps;
     for (int i = 0; i < mode.horizontal.active * mode.vertical.active; ++i) {
-      for (const Phosphor* phosphor : layers_) cells_.emplace_back(*phosphor, step_s);
+      for (const Phosphor& phosphor : layers_) cells_.emplace_back(phosphor, step_s);
     }
     latched_.resize(cells_.size());
   }
@@ -97,14 +97,14 @@ class SteppedTube {
     return light;
   }
   std::size_t layers() const { return layers_.size(); }
-  std::span<const Phosphor* const> phosphors() const { return layers_; }
+  const PhosphorType& type() const { return type_; }
 
  private:
   double dose(std::uint32_t colour, std::size_t layer) const {
     const auto gun = [&](std::uint32_t shift) {
       return static_cast<double>(colour >> shift & 255);
     };
-    const double drive = layers_.size() == 3
+    const double drive = type_.colour
                              ? gun(layer == 0   ? 16
                                    : layer == 1 ? 8
                                                 : 0)
@@ -113,7 +113,8 @@ class SteppedTube {
   }
 
   VideoMode mode_;
-  std::vector<const Phosphor*> layers_;
+  const PhosphorType& type_;
+  std::span<const Phosphor> layers_;
   std::vector<SteppedCell> cells_;
   std::vector<double> latched_;  // doses
   int now_ = 0;
@@ -123,7 +124,7 @@ class SteppedTube {
 /// has less than a thousandth of that).
 double largest_difference(const Image<LinearRgb>& picture, const SteppedTube& stepped,
                           const std::vector<double>& light, double white) {
-  const auto colours = layer_colours(stepped.phosphors());
+  const auto colours = layer_colours(stepped.type());
   double largest = 0;
   for (std::size_t cell = 0; cell < picture.pixels().size(); ++cell) {
     double want[3] = {}, scale[3] = {};
@@ -173,7 +174,8 @@ TEST_P(TubeReference, LightOfEveryCellAgreesInAnyWindow) {
 INSTANTIATE_TEST_SUITE_P(Tubes, TubeReference,
                          ::testing::Values(std::pair{"P22", false}, std::pair{"P22", true},
                                            std::pair{"P1", false}, std::pair{"P31", true},
-                                           std::pair{"P4", false}));
+                                           std::pair{"P4", false}, std::pair{"P7", false},
+                                           std::pair{"P14", true}));
 
 }  // namespace
 }  // namespace kinescope

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cmath>
+
+#include "display/tube/deflection.h"
+#include "display/tube/raster_spread.h"
+
+namespace kinescope {
+namespace {
+
+constexpr double kPixelVariance = 1.0 / 12;  // of an output pixel's own width
+constexpr double kReach = 3;                 // of a Gaussian, deviations
+
+float with_variance(double sigma, double variance) {
+  return static_cast<float>(std::sqrt(sigma * sigma + variance));
+}
+
+}  // namespace
+
+CurvedRaster::CurvedRaster(const TubeSettings& settings, const SpotModel& spot, int gun,
+                           const RasterExtent& e)
+    : map_(beam_map(settings, gun, e.cells, e.lines, e.width, e.height, kTileColumns)),
+      cells_(e.cells),
+      lines_(e.lines),
+      cells_a_pixel_(static_cast<float>(e.cells / (e.width * settings.deflection.width))) {
+  const PixelsAMm pixels = pixels_a_mm(settings.glass, e.width, e.height);
+  const double x = pixels.across * spot.astigmatism(), y = pixels.down;
+  narrow_across_ = with_variance(spot.narrow_mm() * x, kPixelVariance);
+  wide_across_ = with_variance(spot.wide_mm() * x, kPixelVariance);
+  const double reach = 0.5 + kReach * static_cast<double>(wide_across_ * cells_a_pixel_);
+  taps_ = reach <= 2 ? 4 : 6;
+  const double pitch = e.lines / (e.height * settings.deflection.height);
+  const double down = kPixelVariance + line_blur_variance(pitch) / (pitch * pitch);
+  const float narrow = with_variance(spot.narrow_mm() * y, down);
+  const float wide = with_variance(spot.wide_mm() * y, down);
+  down_.lines_a_pixel = static_cast<float>(pitch);
+  down_.narrow_pixels = narrow;
+  down_.wide_pixels = wide;
+  down_.narrow_sharpness = 1 / (narrow * narrow);
+  down_.wide_sharpness = 1 / (wide * wide);
+  // So that no weight falls below 2^-126: a deviation is at least a fifth of a line.
+  down_.least_pitch = 0.2f / narrow;
+  down_.ring_mask = map_.ring_lines - 1;
+}
+
+std::ptrdiff_t CurvedRaster::ring_at(const SpreadRing& ring, int line) const {
+  return static_cast<std::ptrdiff_t>(line & (map_.ring_lines - 1)) * ring.groups * kGroup;
+}
+
+void CurvedRaster::begin_tile(SpreadRing& ring, int x, int groups) const {
+  const std::size_t floats = static_cast<std::size_t>(map_.ring_lines * groups * kGroup);
+  ring.narrow.resize(std::max(ring.narrow.size(), floats));
+  ring.wide.resize(std::max(ring.wide.size(), floats));
+  ring.grid_row = -1;
+  ring.x = x;
+  ring.groups = groups;
+  ring.next_line = -lines_;
+}
+
+void CurvedRaster::spread_line(const LayerLight& light, SpreadRing& ring, int line) const {
+  float* const narrow = ring.narrow.data() + ring_at(ring, line);
+  float* const wide = ring.wide.data() + ring_at(ring, line);
+  if (line < 0 || line >= lines_) {
+    std::fill_n(narrow, ring.groups * kGroup, 0.0f);
+    std::fill_n(wide, ring.groups * kGroup, 0.0f);
+    return;
+  }
+  spread_across_curve({map_.cells_of(line) + ring.x / kGroup, ring.groups, cells_, taps_,
+                       cells_a_pixel_, narrow_across_, wide_across_},
+                      {light.narrow.line(line), light.wide.line(line)}, {narrow, wide});
+}
+
+/// Once for every row of the grid, the lines that its output rows need are spread across.
+void CurvedRaster::spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const {
+  const int j = std::min(y / kGroup, map_.rows - 2), nodes = ring.groups + 1;
+  const float* above = map_.lines_at(j, ring.x / kGroup);
+  const float* below = map_.lines_at(j + 1, ring.x / kGroup);
+  if (ring.grid_row != j) {
+    ring.grid_row = j;
+    const float low = *std::min_element(above, above + nodes);
+    const float high = *std::max_element(below, below + nodes);
+    const int first = static_cast<int>(std::floor(low)) - kLineTaps / 2;
+    const int last = static_cast<int>(std::floor(high)) + kLineTaps / 2 + 1;
+    ring.next_line = std::max(ring.next_line, first);
+    for (; ring.next_line <= last; ++ring.next_line) spread_line(light, ring, ring.next_line);
+  }
+  DownCurve curve = down_;
+  curve.above = above;
+  curve.below = below;
+  curve.share = static_cast<float>(y - j * kGroup) * (1.0f / kGroup);
+  curve.groups = ring.groups;
+  curve.narrow_ring = ring.narrow.data();
+  curve.wide_ring = ring.wide.data();
+  curve.ring_pitch = ring.groups * kGroup;
+  spread_down_curve(curve, out);
+}
+
+}  // namespace kinescope

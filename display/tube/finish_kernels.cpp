@@ -1,0 +1,176 @@
+#include "display/tube/finish_kernels.h"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "display/tube/finish_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Must follow foreach_target.h.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace kinescope {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+namespace {
+
+constexpr int kMostLanes = 8;
+using F = hn::CappedTag<float, kMostLanes>;
+using I = hn::RebindToSigned<F>;
+using Floats = hn::Vec<F>;
+using Ints = hn::Vec<I>;
+constexpr F d;
+constexpr I di;
+
+HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(d)); }
+HWY_INLINE Floats set(float v) { return hn::Set(d, v); }
+
+struct Colour {
+  Floats c[3];
+};
+
+/// A row with its constants spread over vectors.
+template <int kLayers, bool kMask, bool kGlow>
+class Finisher {
+ public:
+  explicit Finisher(const FinishRow& row)
+      : row_(row),
+        glow_share_(set(row.glow_share)),
+        ambient_{{set(row.ambient[0]), set(row.ambient[1]), set(row.ambient[2])}} {
+    for (int layer = 0; layer < kLayers; ++layer) {
+      for (int c = 0; c < 3; ++c) colour_[layer].c[c] = set(row.colour[layer][c]);
+    }
+  }
+
+  /// From pixel x on.
+  HWY_INLINE Colour operator()(int x) const {
+    Colour sum = ambient_;
+    for (int layer = 0; layer < kLayers; ++layer) {
+      const Floats light = past_glass(layer, x);
+      for (int c = 0; c < 3; ++c) sum.c[c] = hn::MulAdd(light, colour_[layer].c[c], sum.c[c]);
+    }
+    return sum;
+  }
+
+ private:
+  HWY_INLINE Floats past_glass(int layer, int x) const {
+    Floats light = hn::LoadU(d, row_.light[layer] + x);
+    if (kMask) {
+      const hn::Rebind<std::uint8_t, F> d8;
+      const auto open = hn::PromoteTo(di, hn::LoadU(d8, row_.mask[layer] + x));
+      light = hn::Mul(light, hn::ConvertTo(d, open));
+    }
+    if (kGlow) {
+      const Floats above = hn::LoadU(d, row_.glow_above[layer] + x);
+      const Floats below = hn::LoadU(d, row_.glow_below[layer] + x);
+      light = hn::Add(light, hn::MulAdd(hn::Sub(below, above), glow_share_, above));
+    }
+    return light;
+  }
+
+  FinishRow row_;
+  Floats glow_share_;
+  Colour ambient_, colour_[kLayers];
+};
+
+template <typename Finish>
+HWY_INLINE void StoreLight(const Finish& finish, int n, bool add, LinearRgb* out) {
+  float* to = &out->r;
+  HWY_ALIGN float tail[3 * kMostLanes];
+  for (int x = 0; x < n; x += lanes()) {
+    const Colour colour = finish(x);
+    const int count = 3 * std::min(lanes(), n - x);
+    if (!add && count == 3 * lanes()) {
+      hn::StoreInterleaved3(colour.c[0], colour.c[1], colour.c[2], d, to + 3 * x);
+      continue;
+    }
+    hn::StoreInterleaved3(colour.c[0], colour.c[1], colour.c[2], d, tail);
+    for (int i = 0; i < count; ++i) to[3 * x + i] = add ? to[3 * x + i] + tail[i] : tail[i];
+  }
+}
+
+/// sRGB codes by a polynomial in the square root, within 0.2 codes, and the straight line below;
+/// as integers in the lowest bits, which adding 2^23 makes of a float.
+HWY_INLINE Ints code_of(Floats x) {
+  x = hn::Min(hn::Max(x, hn::Zero(d)), set(1.0f));
+  const Floats s = hn::Sqrt(x);
+  Floats p = hn::MulAdd(set(-78.9393376f), s, set(214.909066f));
+  p = hn::MulAdd(p, s, set(-240.938121f));
+  p = hn::MulAdd(p, s, set(369.214136f));
+  p = hn::MulAdd(p, s, set(-9.4361935f));
+  const Floats straight = hn::Mul(x, set(12.92f * 255));
+  const Floats code = hn::IfThenElse(hn::Lt(x, set(0.0031308f)), straight, p);
+  return hn::BitCast(di, hn::Add(code, set(8388608.0f)));
+}
+constexpr std::uint32_t kFloatBits = 0x4b000000u;  // of 2^23
+
+template <typename Finish>
+HWY_INLINE void StoreEncoded(const Finish& finish, int n, Srgb8* out) {
+  std::int32_t* to = reinterpret_cast<std::int32_t*>(out);
+  HWY_ALIGN std::int32_t tail[kMostLanes];
+  // The red's float bits become the opaque alpha; green's and blue's are shifted out.
+  const Ints opaque = hn::Set(di, static_cast<std::int32_t>(0xff000000u - kFloatBits));
+  for (int x = 0; x < n; x += lanes()) {
+    const Colour colour = finish(x);
+    const Ints green = hn::ShiftLeft<8>(code_of(colour.c[1]));
+    const Ints blue = hn::ShiftLeft<16>(code_of(colour.c[2]));
+    const Ints packed = hn::Add(hn::Add(code_of(colour.c[0]), opaque), hn::Or(green, blue));
+    if (x + lanes() <= n) {
+      hn::StoreU(packed, di, to + x);
+    } else {
+      hn::StoreU(packed, di, tail);
+      std::copy_n(tail, n - x, to + x);
+    }
+  }
+}
+
+template <int kLayers, typename Body>
+HWY_INLINE void with_finisher_of(const FinishRow& row, const Body& body) {
+  const bool mask = row.mask[0] != nullptr, glow = row.glow_above[0] != nullptr;
+  if (mask && glow) return body(Finisher<kLayers, true, true>(row));
+  if (mask) return body(Finisher<kLayers, true, false>(row));
+  if (glow) return body(Finisher<kLayers, false, true>(row));
+  body(Finisher<kLayers, false, false>(row));
+}
+
+template <typename Body>
+HWY_INLINE void with_finisher(const FinishRow& row, const Body& body) {
+  switch (row.layers) {
+    case 1:
+      return with_finisher_of<1>(row, body);
+    case 2:
+      return with_finisher_of<2>(row, body);
+    default:
+      return with_finisher_of<3>(row, body);
+  }
+}
+
+void FinishLight(const FinishRow& row, int n, bool add, LinearRgb* out) {
+  with_finisher(row, [=](const auto& finish) { StoreLight(finish, n, add, out); });
+}
+
+void FinishEncoded(const FinishRow& row, int n, Srgb8* out) {
+  with_finisher(row, [=](const auto& finish) { StoreEncoded(finish, n, out); });
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace kinescope
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kinescope {
+
+HWY_EXPORT(FinishLight);
+HWY_EXPORT(FinishEncoded);
+
+void finish_light(const FinishRow& row, int n, bool add, LinearRgb* out) {
+  HWY_DYNAMIC_DISPATCH(FinishLight)(row, n, add, out);
+}
+
+void finish_encoded(const FinishRow& row, int n, Srgb8* out) {
+  HWY_DYNAMIC_DISPATCH(FinishEncoded)(row, n, out);
+}
+
+}  // namespace kinescope
+#endif  // HWY_ONCE

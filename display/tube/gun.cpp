@@ -1,0 +1,95 @@
+#include "display/tube/gun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "display/tube_kernels.h"
+
+namespace kinescope {
+namespace {
+
+constexpr int kCodes = 256;
+constexpr int kChords = 1024;
+
+/// A Gaussian low-pass that passes 1/sqrt(2) at the bandwidth; its delay is the deflection's too.
+std::vector<float> gaussian_response(double bandwidth_hz, double pixel_clock_hz) {
+  if (bandwidth_hz <= 0) return {1.0f};
+  const double sigma =
+      std::sqrt(std::numbers::ln2) / (2 * std::numbers::pi * bandwidth_hz) * pixel_clock_hz;
+  const int reach = static_cast<int>(std::ceil(3.5 * sigma));
+  std::vector<double> exact;
+  double sum = 0;
+  for (int i = -reach; i <= reach; ++i) {
+    const double scale = 1 / (sigma * std::numbers::sqrt2);
+    exact.push_back(0.5 * (std::erf((i + 0.5) * scale) - std::erf((i - 0.5) * scale)));
+    sum += exact.back();
+  }
+  std::vector<float> response;
+  for (const double w : exact) response.push_back(static_cast<float>(w / sum));
+  return response;
+}
+
+/// Calls body(code_of), by which a gun finds its drive, once for a line rather than for a pixel.
+template <typename Body>
+void with_signal(Signal signal, const Body& body) {
+  switch (signal) {
+    case Signal::kRed:
+      return body([](const GunDrive& d) { return d.r; });
+    case Signal::kGreen:
+      return body([](const GunDrive& d) { return d.g; });
+    case Signal::kBlue:
+      return body([](const GunDrive& d) { return d.b; });
+    case Signal::kGrey:
+      return body([](const GunDrive& d) {
+        return static_cast<std::uint8_t>((77 * d.r + 150 * d.g + 29 * d.b + 128) >> 8);
+      });
+  }
+}
+
+}  // namespace
+
+Gun::Gun(const GunSettings& settings, const SpotModel& spot, double pixel_clock_hz)
+    : settings_(settings),
+      spot_(spot),
+      response_(gaussian_response(settings.bandwidth_hz, pixel_clock_hz)) {
+  for (int code = 0; code < kCodes; ++code) of_code_.push_back(dose(code / 255.0));
+  for (int i = 0; i <= kChords + 1; ++i) {
+    const Dose d = dose(static_cast<double>(i) / kChords);
+    narrow_.push_back(d.narrow);
+    wide_.push_back(d.wide);
+  }
+}
+
+double Gun::current(double drive) const {
+  const double grid = settings_.contrast * drive + settings_.brightness;
+  return grid > 0 ? std::pow(grid, settings_.gamma) : 0;
+}
+
+Gun::Dose Gun::dose(double drive) const {
+  const double all = current(drive), wide = spot_.wide_part(all);
+  return {static_cast<float>(all - wide), static_cast<float>(wide)};
+}
+
+void Gun::doses(std::span<const GunDrive> drives, Signal signal, std::span<float> voltage,
+                float* narrow, float* wide) const {
+  const std::size_t n = drives.size(), pad = static_cast<std::size_t>(reach());
+  with_signal(signal, [&](auto code_of) {
+    if (pad == 0) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const Dose d = of_code_[code_of(drives[i])];
+        narrow[i] = d.narrow;
+        wide[i] = d.wide;
+      }
+    } else {
+      for (std::size_t i = 0; i < n; ++i) voltage[pad + i] = code_of(drives[i]);
+    }
+  });
+  if (pad == 0) return;
+  std::fill_n(voltage.begin(), pad, 0.0f);
+  std::fill_n(voltage.begin() + static_cast<std::ptrdiff_t>(pad + n), pad, 0.0f);
+  amplify(static_cast<int>(n), response_, kChords / 255.0f, voltage.data(), narrow_.data(),
+          wide_.data(), narrow, wide);
+}
+
+}  // namespace kinescope

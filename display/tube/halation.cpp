@@ -1,0 +1,150 @@
+#include "display/tube/halation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "display/tube/deflection.h"
+#include "display/tube_kernels.h"
+
+namespace kinescope {
+namespace {
+
+constexpr double kStepsASigma = 1.5;  // coarse pixels
+constexpr int kLeastStep = 4, kMostStep = 32;
+
+}  // namespace
+
+Halation::Halation(const TubeSettings& s, int width, int height)
+    : share_(static_cast<float>(s.glass.halation)),
+      width_(width),
+      cells_(s.mode.horizontal.active),
+      lines_(s.mode.vertical.active) {
+  if (share_ <= 0) return;
+  const double sigma_pixels = s.glass.halation_mm * pixels_a_mm(s.glass, width, height).down;
+  step_ = std::clamp(static_cast<int>(sigma_pixels / kStepsASigma), kLeastStep, kMostStep);
+  coarse_width_ = (width + step_ - 1) / step_ + 1;
+  coarse_height_ = (height + step_ - 1) / step_ + 1;
+  const double sigma = sigma_pixels / step_;
+  double sum = 0;
+  for (int i = 0; i <= std::ceil(3 * sigma); ++i) {
+    kernel_.push_back(static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma))));
+    sum += (i == 0 ? 1 : 2) * static_cast<double>(kernel_.back());
+  }
+  for (float& k : kernel_) k = static_cast<float>(static_cast<double>(k) / sum);
+
+  block_cells_ = std::max(1, step_ * cells_ / width);
+  block_lines_ = std::max(1, step_ * lines_ / height);
+  blocks_across_ = (cells_ + block_cells_ - 1) / block_cells_ + 2;
+  blocks_down_ = (lines_ + block_lines_ - 1) / block_lines_ + 2;
+  const Deflection deflection(s.deflection, s.glass, 1);
+  const Camera camera(s.glass);
+  for (int j = 0; j < coarse_height_; ++j) {
+    for (int i = 0; i < coarse_width_; ++i) {
+      const Place picture{2.0 * i * step_ / width - 1, 2.0 * j * step_ / height - 1};
+      const Place sweep = deflection.sweep_of_glass(camera.glass_of_picture(picture));
+      // Blocks' middles are at halves; block 0 is the dark one.
+      const double x = 0.5 * (sweep.x + 1) * cells_ / block_cells_ + 0.5;
+      const double y = 0.5 * (sweep.y + 1) * lines_ / block_lines_ + 0.5;
+      const double left = std::clamp(std::floor(x), 0.0, blocks_across_ - 2.0);
+      const double top = std::clamp(std::floor(y), 0.0, blocks_down_ - 2.0);
+      samples_.push_back({static_cast<int>(top) * blocks_across_ + static_cast<int>(left),
+                          static_cast<float>(std::clamp(x - left, 0.0, 1.0)),
+                          static_cast<float>(std::clamp(y - top, 0.0, 1.0))});
+    }
+  }
+}
+
+/// Means of a row of blocks; `row` 0 is the first that holds light.
+void Halation::pool(const LayerLight& light, int row, Plane& sums, Plane& blocks) const {
+  const int first = row * block_lines_, last = std::min(lines_, first + block_lines_);
+  sums.assign(static_cast<std::size_t>(cells_), 0.0f);
+  for (int line = first; line < last; ++line) {
+    add_rows(cells_, light.narrow.line(line), light.wide.line(line), sums.data());
+  }
+  float* out = blocks.data() + static_cast<std::ptrdiff_t>(row + 1) * blocks_across_ + 1;
+  for (int begin = 0; begin < cells_; begin += block_cells_, ++out) {
+    const int end = std::min(cells_, begin + block_cells_);
+    const float sum = std::accumulate(sums.begin() + begin, sums.begin() + end, 0.0f);
+    *out = sum / static_cast<float>((end - begin) * (last - first));
+  }
+}
+
+void Halation::look_up(const Plane& blocks, Plane& coarse) const {
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const Sample& s = samples_[i];
+    const float* above = blocks.data() + s.at;
+    const float* below = above + blocks_across_;
+    const float top = above[0] + s.right * (above[1] - above[0]);
+    const float bottom = below[0] + s.right * (below[1] - below[0]);
+    coarse[i] = top + s.down * (bottom - top);
+  }
+}
+
+void Halation::blur(Plane& coarse) const {
+  const int reach = static_cast<int>(kernel_.size()) - 1;
+  Plane line;
+  const auto along = [&](float* at, std::ptrdiff_t stride, int count) {
+    line.assign(static_cast<std::size_t>(count + 2 * reach), 0.0f);
+    for (int i = 0; i < count; ++i) line[static_cast<std::size_t>(i + reach)] = at[i * stride];
+    for (int i = 0; i < count; ++i) {
+      const float* middle = line.data() + i + reach;
+      float sum = kernel_[0] * middle[0];
+      for (int k = 1; k <= reach; ++k) {
+        sum += kernel_[static_cast<std::size_t>(k)] * (middle[k] + middle[-k]);
+      }
+      at[i * stride] = sum;
+    }
+  };
+  for (int j = 0; j < coarse_height_; ++j) {
+    along(coarse.data() + static_cast<std::ptrdiff_t>(j) * coarse_width_, 1, coarse_width_);
+  }
+  for (int i = 0; i < coarse_width_; ++i) along(coarse.data() + i, coarse_width_, coarse_height_);
+}
+
+void Halation::widen(const Plane& coarse, int row, float glow, float* out) const {
+  const float* from = coarse.data() + static_cast<std::ptrdiff_t>(row) * coarse_width_;
+  for (int i = 0; i + 1 < coarse_width_; ++i) {
+    // Pixels' middles are half a pixel beyond their number.
+    fill_ramp(std::min(step_, width_ - i * step_), glow * from[i],
+              glow * (from[i + 1] - from[i]) / static_cast<float>(step_), out + i * step_);
+  }
+}
+
+void Halation::gather(std::span<const LayerLight> light, float unit, Workers& workers) {
+  if (share_ <= 0) return;
+  const int layers = static_cast<int>(light.size()), rows = blocks_down_ - 2;
+  for (std::size_t layer = 0; layer < light.size(); ++layer) {
+    blocks_[layer].resize(static_cast<std::size_t>(blocks_across_ * blocks_down_), 0.0f);
+    coarse_[layer].resize(samples_.size());
+    fine_[layer].resize(static_cast<std::size_t>(fine_pitch() * coarse_height_));
+  }
+  sums_.resize(static_cast<std::size_t>(workers.count()));
+  workers.run(layers * rows, [&](int task, int worker) {
+    const std::size_t layer = static_cast<std::size_t>(task % layers);
+    pool(light[layer], task / layers, sums_[static_cast<std::size_t>(worker)], blocks_[layer]);
+  });
+  workers.run(layers, [&](int task, int) {
+    const std::size_t layer = static_cast<std::size_t>(task);
+    look_up(blocks_[layer], coarse_[layer]);
+    blur(coarse_[layer]);
+  });
+  const float glow = unit * share_ / (1 - share_);
+  workers.run(coarse_height_, [&](int row, int) {
+    for (std::size_t layer = 0; layer < light.size(); ++layer) {
+      widen(coarse_[layer], row, glow, fine_[layer].data() + row * fine_pitch());
+    }
+  });
+}
+
+float Halation::rows(std::size_t layer, int y, int x, const float*& above,
+                     const float*& below) const {
+  above = below = nullptr;
+  if (share_ <= 0) return 0;
+  const int row = y / step_;
+  above = fine_[layer].data() + row * fine_pitch() + x;
+  below = above + fine_pitch();
+  return (static_cast<float>(y - row * step_) + 0.5f) / static_cast<float>(step_);
+}
+
+}  // namespace kinescope

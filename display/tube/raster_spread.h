@@ -1,0 +1,69 @@
+// One gun's raster under the output's pixels: its lines are spread across columns, then down rows.
+// A straight raster has its axes apart and its weights in tables; a curved one is followed pixel by
+// pixel.
+#pragma once
+
+#include <vector>
+
+#include "display/tube/axis_weights.h"
+#include "display/tube/beam_map.h"
+#include "display/tube/light_planes.h"
+#include "display/tube/settings.h"
+#include "display/tube/spot.h"
+#include "display/tube/spread_kernels.h"
+
+namespace kinescope {
+
+/// A screen's measures.
+struct RasterExtent {
+  int cells = 0, lines = 0;   ///< of the raster
+  int width = 0, height = 0;  ///< of the output, pixels
+};
+
+/// Lines spread across the columns of one tile of the output so far.
+struct SpreadRing {
+  std::vector<float> narrow, wide;
+  int x = 0, groups = 0;  ///< the tile's first column, and its columns in groups
+  int next_line = 0;
+  int grid_row = 0;  ///< of a curved raster's map: the one that has its lines
+};
+
+class StraightRaster {
+ public:
+  static constexpr int kTileColumns = 240;
+  StraightRaster(const TubeSettings& settings, const SpotModel& spot, int gun,
+                 const RasterExtent& extent);
+  void begin_tile(SpreadRing& ring, int x, int groups) const;
+  /// The light of one layer in the tile's row y; rows come from the top.
+  void spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const;
+
+ private:
+  void spread_line(const LayerLight& light, SpreadRing& ring, int line) const;
+  std::ptrdiff_t ring_at(const SpreadRing& ring, int line) const;
+
+  AxisWeights across_, down_;
+  std::vector<float> down_narrow_, down_wide_;  // row after row
+  bool close_ = false;
+  int lines_;
+};
+
+class CurvedRaster {
+ public:
+  static constexpr int kTileColumns = 96;
+  CurvedRaster(const TubeSettings& settings, const SpotModel& spot, int gun,
+               const RasterExtent& extent);
+  void begin_tile(SpreadRing& ring, int x, int groups) const;
+  void spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const;
+
+ private:
+  void spread_line(const LayerLight& light, SpreadRing& ring, int line) const;
+  std::ptrdiff_t ring_at(const SpreadRing& ring, int line) const;
+
+  BeamMap map_;
+  int cells_, lines_, taps_ = 6;
+  float cells_a_pixel_;
+  float narrow_across_, wide_across_;  // deviations, pixels
+  DownCurve down_{};                   // what all rows have in common
+};
+
+}  // namespace kinescope

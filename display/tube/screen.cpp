@@ -1,0 +1,150 @@
+#include "display/tube/screen.h"
+
+#include <algorithm>
+#include <functional>
+#include <variant>
+
+#include "display/tube/deflection.h"
+#include "display/tube/finish_kernels.h"
+#include "display/tube/halation.h"
+#include "display/tube/raster_spread.h"
+#include "display/tube/shadow_mask.h"
+
+namespace kinescope {
+namespace {
+
+constexpr int kTileRows = 270;
+
+using Raster = std::variant<StraightRaster, CurvedRaster>;
+
+/// Work space of one worker.
+struct Scratch {
+  std::array<SpreadRing, kMostLayers> ring;
+  std::array<std::vector<float>, kMostLayers> row;
+};
+
+using Finish = std::function<void(const FinishRow&, int x, int y, int n)>;
+
+}  // namespace
+
+struct Screen::State {
+  State(const TubeSettings& s, std::span<const ScreenLayer> its_layers, int w, int h);
+  void draw(std::span<const LayerLight> light, Workers& workers, float gain, const Finish& finish);
+  void draw_tile(std::span<const LayerLight> light, Scratch& s, int x, int top, float gain,
+                 const Finish& finish) const;
+  FinishRow finish_row(float gain) const;
+  void set_row(FinishRow& row, const Scratch& s, int x, int y) const;
+  const Raster& raster_of(std::size_t layer) const {
+    return rasters[static_cast<std::size_t>(layers[layer].gun)];
+  }
+
+  GlassSettings glass;
+  std::vector<ScreenLayer> layers;
+  int width, height;
+  int tile_columns;
+  std::vector<Raster> rasters;  // a gun each
+  ShadowMask mask;
+  Halation halation;
+  std::vector<Scratch> scratch;
+};
+
+Screen::State::State(const TubeSettings& s, std::span<const ScreenLayer> its_layers, int w, int h)
+    : glass(s.glass), layers(its_layers.begin(), its_layers.end()), width(w), height(h) {
+  const RasterExtent extent{s.mode.horizontal.active, s.mode.vertical.active, w, h};
+  const SpotModel spot(s.spot);
+  const bool straight = is_separable(s);
+  tile_columns = straight ? StraightRaster::kTileColumns : CurvedRaster::kTileColumns;
+  int guns = 0;
+  for (const ScreenLayer& layer : layers) guns = std::max(guns, layer.gun + 1);
+  for (int gun = 0; gun < guns; ++gun) {
+    if (straight) {
+      rasters.emplace_back(std::in_place_type<StraightRaster>, s, spot, gun, extent);
+    } else {
+      rasters.emplace_back(std::in_place_type<CurvedRaster>, s, spot, gun, extent);
+    }
+  }
+  if (guns == 3) mask = ShadowMask(s.mask, s.glass, w, h);
+  halation = Halation(s, w, h);
+}
+
+/// What all rows have in common.
+FinishRow Screen::State::finish_row(float gain) const {
+  FinishRow row;
+  row.layers = static_cast<int>(layers.size());
+  const float kept = (1 - halation.share()) * gain / mask.one();
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      row.colour[layer][c] = layers[layer].colour[c] * kept * static_cast<float>(glass.tint[c]);
+    }
+  }
+  for (float& a : row.ambient) a = gain * static_cast<float>(glass.ambient);
+  return row;
+}
+
+void Screen::State::set_row(FinishRow& row, const Scratch& s, int x, int y) const {
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    row.light[layer] = s.row[layer].data();
+    row.mask[layer] = mask.row(layers[layer].gun, y, x);
+    row.glow_share = halation.rows(layer, y, x, row.glow_above[layer], row.glow_below[layer]);
+  }
+}
+
+void Screen::State::draw_tile(std::span<const LayerLight> light, Scratch& s, int x, int top,
+                              float gain, const Finish& finish) const {
+  const int n = std::min(tile_columns, width - x), groups = (n + kGroup - 1) / kGroup;
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    s.row[layer].resize(static_cast<std::size_t>(tile_columns));
+    std::visit([&](const auto& raster) { raster.begin_tile(s.ring[layer], x, groups); },
+               raster_of(layer));
+  }
+  FinishRow row = finish_row(gain);
+  for (int y = top; y < std::min(height, top + kTileRows); ++y) {
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+      std::visit(
+          [&](const auto& raster) {
+            raster.spread_row(light[layer], s.ring[layer], y, s.row[layer].data());
+          },
+          raster_of(layer));
+    }
+    set_row(row, s, x, y);
+    finish(row, x, y, n);
+  }
+}
+
+void Screen::State::draw(std::span<const LayerLight> light, Workers& workers, float gain,
+                         const Finish& finish) {
+  scratch.resize(static_cast<std::size_t>(workers.count()));
+  halation.gather(light, mask.one(), workers);
+  const int across = (width + tile_columns - 1) / tile_columns;
+  const int down = (height + kTileRows - 1) / kTileRows;
+  workers.run(across * down, [&](int task, int worker) {
+    draw_tile(light, scratch[static_cast<std::size_t>(worker)], task % across * tile_columns,
+              task / across * kTileRows, gain, finish);
+  });
+}
+
+Screen::Screen(const TubeSettings& settings, std::span<const ScreenLayer> layers, int width,
+               int height)
+    : state_(std::make_unique<State>(settings, layers, width, height)) {}
+Screen::~Screen() = default;
+Screen::Screen(Screen&&) noexcept = default;
+Screen& Screen::operator=(Screen&&) noexcept = default;
+
+void Screen::show(std::span<const LayerLight> light, Workers& workers, bool add,
+                  Image<LinearRgb>& out) {
+  if (out.width() != state_->width || out.height() != state_->height) {
+    out = Image<LinearRgb>(state_->width, state_->height);
+  }
+  state_->draw(light, workers, 1, [&](const FinishRow& row, int x, int y, int n) {
+    finish_light(row, n, add, out.row(y) + x);
+  });
+}
+
+void Screen::photograph(std::span<const LayerLight> light, Workers& workers, float gain,
+                        Image<Srgb8>& out, int left, int top) {
+  state_->draw(light, workers, gain, [&](const FinishRow& row, int x, int y, int n) {
+    finish_encoded(row, n, out.row(top + y) + left + x);
+  });
+}
+
+}  // namespace kinescope

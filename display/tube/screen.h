@@ -1,0 +1,43 @@
+// The front of the tube: from the light of the raster's cells to the picture that a camera before
+// the glass sees. Linear in the light.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "display/tube/light_planes.h"
+#include "display/tube/settings.h"
+#include "raster/base/workers.h"
+#include "raster/image/image.h"
+
+namespace kinescope {
+
+/// One phosphor layer as the screen needs it.
+struct ScreenLayer {
+  int gun = 0;                    ///< whose beam writes it: 0 red, 1 green, 2 blue
+  std::array<float, 3> colour{};  ///< linear sRGB of its light
+};
+
+class Screen {
+ public:
+  /// @param layers one to three
+  Screen(const TubeSettings& settings, std::span<const ScreenLayer> layers, int width, int height);
+  ~Screen();
+  Screen(Screen&&) noexcept;
+  Screen& operator=(Screen&&) noexcept;
+
+  /// The light of every output pixel; white over one refresh is 1.
+  /// @param add to what `out` holds; else it is given the screen's size and overwritten
+  void show(std::span<const LayerLight> light, Workers& workers, bool add, Image<LinearRgb>& out);
+  /// The same times `gain`, encoded, into `out` with its upper left corner at (left, top).
+  void photograph(std::span<const LayerLight> light, Workers& workers, float gain,
+                  Image<Srgb8>& out, int left, int top);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace kinescope

@@ -1,0 +1,79 @@
+// What a raster tube is made of. Every field has its unit; presets are text files of these.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "display/video_mode.h"
+
+namespace kinescope {
+
+/// The glass. Its picture area fills the output image.
+struct GlassSettings {
+  double diagonal_mm = 330;  ///< of the visible picture: a 14-inch monitor shows about 13
+  double aspect = 4.0 / 3;   ///< width over height
+  double curvature_mm = 0;   ///< radius of a spherical faceplate; 0 is flat
+  double distance_mm = 700;  ///< from the camera to the middle of the glass
+  double halation = 0;       ///< share of the light that spreads within the glass
+  double halation_mm = 4;    ///< standard deviation of that spread
+  double ambient = 0;        ///< light of the room that the screen gives back, as a share of white
+  std::array<double, 3> tint{1, 1, 1};  ///< transmission of red, green, blue
+};
+
+/// From the video signal to beam current.
+struct GunSettings {
+  double gamma = 2.35;      ///< current = drive ^ gamma (EBU Tech 3273: 2.35)
+  double contrast = 1;      ///< gain of the video amplifier
+  double brightness = 0;    ///< added to the drive, white being 1
+  double bandwidth_hz = 0;  ///< of the video amplifier, where it passes 1/sqrt(2); 0: unlimited
+};
+
+/// The beam's spot: a Gaussian whose deviation grows with the cube root of the current.
+struct SpotSettings {
+  double sigma_mm = 0.13;     ///< at white
+  double least = 0.6;         ///< share of it that is left at no current
+  double focus = 1;           ///< multiplies it; 1 is the best focus
+  double astigmatism = 1.25;  ///< width over height
+};
+
+/// Error of one gun's landing, mm.
+struct ConvergenceError {
+  double x_mm = 0, y_mm = 0;            ///< everywhere
+  double edge_x_mm = 0, edge_y_mm = 0;  ///< at the edges; it grows with the distance squared
+};
+
+/// Where the beam lands. Shares are of half the picture's width or height.
+struct DeflectionSettings {
+  double width = 1, height = 1;               ///< of the raster, as shares of the glass
+  double shift_x = 0, shift_y = 0;            ///< to the right, down
+  double pincushion_x = 0, pincushion_y = 0;  ///< how far corners stick out beyond edges' middles
+  double keystone = 0;      ///< the bottom is wider by this share, the top narrower
+  double rotation_deg = 0;  ///< clockwise
+  double s_curve = 0;       ///< the sweep is slower at its ends by this share
+  std::array<ConvergenceError, 3> convergence{};  ///< red, green, blue
+};
+
+enum class MaskKind { kNone, kDots, kGrille, kSlots };
+
+/// The shadow mask of a colour tube.
+struct MaskSettings {
+  MaskKind kind = MaskKind::kNone;
+  double pitch_mm = 0.28;  ///< across, of one triad (dots: of one colour's rows, diagonal pitch)
+  double open = 0.7;       ///< share of each stripe's, dot's or slot's own width that is open
+  double slot_mm = 0.6;    ///< slots: distance down from one to the next
+  double bridge = 0.2;     ///< slots: share of it that is metal
+  double wires = 0;        ///< grille: number of damper wires
+  double wire_mm = 0.02;   ///< their thickness
+};
+
+struct TubeSettings {
+  VideoMode mode;
+  std::string phosphor = "P22";  ///< of phosphors(): "P22", "P31", ...
+  GlassSettings glass{};
+  GunSettings gun{};
+  SpotSettings spot{};
+  DeflectionSettings deflection{};
+  MaskSettings mask{};
+};
+
+}  // namespace kinescope

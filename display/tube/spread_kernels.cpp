@@ -1,0 +1,272 @@
+#include "display/tube/spread_kernels.h"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "display/tube/spread_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Must follow foreach_target.h.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace kinescope {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+namespace {
+
+using F = hn::CappedTag<float, kGroup>;
+using I = hn::RebindToSigned<F>;
+using Floats = hn::Vec<F>;
+constexpr F d;
+constexpr I di;
+
+HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(d)); }
+HWY_INLINE Floats set(float v) { return hn::Set(d, v); }
+
+/// 2^x for x in [-126, 0], to 8e-5. Adding 1.5 * 2^23 leaves the whole part in the lowest bits.
+HWY_INLINE Floats exp2_below(Floats x) {
+  const Floats shifter = set(12582912.0f);
+  const Floats shifted = hn::Add(x, shifter);
+  const Floats f = hn::Sub(x, hn::Sub(shifted, shifter));
+  Floats p = hn::MulAdd(set(0.055088767f), f, set(0.24260466f));
+  p = hn::MulAdd(p, f, set(0.69327628f));
+  p = hn::MulAdd(p, f, set(0.99992890f));
+  return hn::BitCast(d, hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(hn::BitCast(di, shifted))));
+}
+
+/// A normal distribution's share below z deviations, less a half; cut at 3 and scaled to reach it.
+HWY_INLINE Floats normal_below(Floats z) {
+  z = hn::Min(hn::Max(z, set(-3.0f)), set(3.0f));
+  const Floats q = hn::Mul(z, z);
+  Floats p = hn::MulAdd(set(-1.4823849e-06f), q, set(5.5700488e-05f));
+  p = hn::MulAdd(p, q, set(-0.00093099633f));
+  p = hn::MulAdd(p, q, set(0.0094104743f));
+  p = hn::MulAdd(p, q, set(-0.066073838f));
+  p = hn::MulAdd(p, q, set(0.39984757f));
+  return hn::Mul(p, z);
+}
+
+struct Pair {
+  Floats narrow, wide;
+};
+
+/// kTaps known lets the compiler unroll; 0 takes any number.
+template <int kTaps>
+HWY_INLINE void AcrossPermuted(const AcrossTable& table, CellRows cells, SpreadRows out) {
+  const int taps = kTaps > 0 ? kTaps : table.taps;
+  for (int x = 0; x < table.groups * kGroup; x += lanes()) {
+    const int base = table.start[x];
+    const auto lane =
+        hn::IndicesFromVec(d, hn::Sub(hn::LoadU(di, table.start + x), hn::Set(di, base)));
+    Pair sum{hn::Zero(d), hn::Zero(d)};
+#pragma GCC unroll 6
+    for (int t = 0; t < taps; ++t) {
+      const Floats n = hn::TableLookupLanes(hn::LoadU(d, cells.narrow + base + t), lane);
+      const Floats w = hn::TableLookupLanes(hn::LoadU(d, cells.wide + base + t), lane);
+      sum.narrow = hn::MulAdd(n, hn::LoadU(d, table.narrow + t * table.pitch + x), sum.narrow);
+      sum.wide = hn::MulAdd(w, hn::LoadU(d, table.wide + t * table.pitch + x), sum.wide);
+    }
+    hn::StoreU(sum.narrow, d, out.narrow + x);
+    hn::StoreU(sum.wide, d, out.wide + x);
+  }
+}
+
+HWY_INLINE void AcrossGathered(const AcrossTable& table, CellRows cells, SpreadRows out) {
+  for (int x = 0; x < table.groups * kGroup; x += lanes()) {
+    auto at = hn::LoadU(di, table.start + x);
+    Pair sum{hn::Zero(d), hn::Zero(d)};
+    for (int t = 0; t < table.taps; ++t, at = hn::Add(at, hn::Set(di, 1))) {
+      const Floats n = hn::GatherIndex(d, cells.narrow, at);
+      const Floats w = hn::GatherIndex(d, cells.wide, at);
+      sum.narrow = hn::MulAdd(n, hn::LoadU(d, table.narrow + t * table.pitch + x), sum.narrow);
+      sum.wide = hn::MulAdd(w, hn::LoadU(d, table.wide + t * table.pitch + x), sum.wide);
+    }
+    hn::StoreU(sum.narrow, d, out.narrow + x);
+    hn::StoreU(sum.wide, d, out.wide + x);
+  }
+}
+
+void SpreadAcross(const AcrossTable& table, CellRows cells, SpreadRows out) {
+  if (!table.close) return AcrossGathered(table, cells, out);
+  switch (table.taps) {
+    case 4:
+      return AcrossPermuted<4>(table, cells, out);
+    case 5:
+      return AcrossPermuted<5>(table, cells, out);
+    case 6:
+      return AcrossPermuted<6>(table, cells, out);
+    default:
+      return AcrossPermuted<0>(table, cells, out);
+  }
+}
+
+/// A cell's share of a pixel is the difference of the distribution at its two edges.
+HWY_INLINE Floats share_between(Floats& below, Floats& z, Floats step) {
+  z = hn::Add(z, step);
+  const Floats next = normal_below(z);
+  const Floats share = hn::Sub(next, below);
+  below = next;
+  return share;
+}
+
+/// One group's columns: where they lie, and how much of a pixel's width a deviation is.
+struct CurvePlace {
+  Floats cell, start;
+  Floats narrow_step, wide_step;  // deviations a cell
+};
+
+template <int kTaps>
+HWY_INLINE Pair CurvedSum(const CurvePlace& place, CellRows cells) {
+  const auto first = hn::ConvertTo(di, place.start);
+  const int base = hn::GetLane(first);
+  const auto lane =
+      hn::IndicesFromVec(d, hn::Min(hn::Sub(first, hn::Set(di, base)), hn::Set(di, lanes() - 1)));
+  const Floats before = hn::Sub(place.start, place.cell);
+  Floats narrow_z = hn::Mul(before, place.narrow_step), wide_z = hn::Mul(before, place.wide_step);
+  Floats narrow_below = normal_below(narrow_z), wide_below = normal_below(wide_z);
+  Pair sum{hn::Zero(d), hn::Zero(d)};
+#pragma GCC unroll 6
+  for (int t = 0; t < kTaps; ++t) {
+    const Floats n = hn::TableLookupLanes(hn::LoadU(d, cells.narrow + base + t), lane);
+    const Floats w = hn::TableLookupLanes(hn::LoadU(d, cells.wide + base + t), lane);
+    sum.narrow =
+        hn::MulAdd(n, share_between(narrow_below, narrow_z, place.narrow_step), sum.narrow);
+    sum.wide = hn::MulAdd(w, share_between(wide_below, wide_z, place.wide_step), sum.wide);
+  }
+  return sum;
+}
+
+template <int kTaps>
+HWY_INLINE void AlongCurve(const AcrossCurve& curve, CellRows cells, SpreadRows out) {
+  const Floats ramp = hn::Iota(d, 0);
+  // Columns beside the line see the dark cells that lie there.
+  const Floats least = set(-kCellPad);
+  const Floats most = set(static_cast<float>(curve.cells + kCellPad - kGroup - kTaps));
+  for (int group = 0; group < curve.groups; ++group) {
+    const float slope = (curve.cell[group + 1] - curve.cell[group]) * (1.0f / kGroup);
+    const float pixels_a_cell = 1 / std::max(slope, 1e-6f);
+    const Floats gain = set(slope / curve.cells_a_pixel);
+    CurvePlace place{};
+    place.narrow_step = set(pixels_a_cell / curve.narrow_pixels);
+    place.wide_step = set(pixels_a_cell / curve.wide_pixels);
+    for (int x = 0; x < kGroup; x += lanes()) {
+      place.cell =
+          hn::MulAdd(set(slope), hn::Add(ramp, set(static_cast<float>(x))), set(curve.cell[group]));
+      const Floats start = hn::Floor(hn::Sub(place.cell, set(0.5f * kTaps - 0.5f)));
+      place.start = hn::Min(hn::Max(start, least), most);
+      const Pair sum = CurvedSum<kTaps>(place, cells);
+      hn::StoreU(hn::Mul(sum.narrow, gain), d, out.narrow + group * kGroup + x);
+      hn::StoreU(hn::Mul(sum.wide, gain), d, out.wide + group * kGroup + x);
+    }
+  }
+}
+
+void SpreadAcrossCurve(const AcrossCurve& curve, CellRows cells, SpreadRows out) {
+  curve.taps <= 4 ? AlongCurve<4>(curve, cells, out) : AlongCurve<6>(curve, cells, out);
+}
+
+template <int kTaps, bool kAdd>
+void DownBy(int groups, int any_taps, const float* const* narrow_rows,
+            const float* const* wide_rows, const float* narrow_weight, const float* wide_weight,
+            float* out) {
+  const int taps = kTaps > 0 ? kTaps : any_taps;
+  for (int x = 0; x < groups * kGroup; x += lanes()) {
+    Pair sum{kAdd ? hn::LoadU(d, out + x) : hn::Zero(d), hn::Zero(d)};
+#pragma GCC unroll 6
+    for (int t = 0; t < taps; ++t) {
+      sum.narrow = hn::MulAdd(set(narrow_weight[t]), hn::LoadU(d, narrow_rows[t] + x), sum.narrow);
+      sum.wide = hn::MulAdd(set(wide_weight[t]), hn::LoadU(d, wide_rows[t] + x), sum.wide);
+    }
+    hn::StoreU(hn::Add(sum.narrow, sum.wide), d, out + x);
+  }
+}
+
+void SpreadDown(int groups, int taps, const float* const* narrow_rows,
+                const float* const* wide_rows, const float* narrow_weight, const float* wide_weight,
+                bool add, float* out) {
+  const auto by = [=](auto down) {
+    down(groups, taps, narrow_rows, wide_rows, narrow_weight, wide_weight, out);
+  };
+  if (add) return by(DownBy<0, true>);
+  switch (taps) {
+    case 2:
+      return by(DownBy<2, false>);
+    case 3:
+      return by(DownBy<3, false>);
+    case 4:
+      return by(DownBy<4, false>);
+    default:
+      return by(DownBy<0, false>);
+  }
+}
+
+void SpreadDownCurve(const DownCurve& curve, float* out) {
+  constexpr float kLog2E = 1.44269504f, kInverseRoot2Pi = 0.39894228f;
+  const Floats ramp = hn::Iota(d, 0);
+  const auto line_at = [&](int node) {
+    return curve.above[node] + curve.share * (curve.below[node] - curve.above[node]);
+  };
+  float from = line_at(0);
+  for (int group = 0; group < curve.groups; ++group) {
+    const float to = line_at(group + 1);
+    const float fall = (curve.below[group] - curve.above[group]) +
+                       (curve.below[group + 1] - curve.above[group + 1]);
+    const float pitch = std::max(fall * (0.5f / kGroup), curve.least_pitch);
+    const float lines = 1 / pitch;
+    // The narrow Gaussian's brightness is taken into the wide one's sum, and both at the end.
+    const float brightness = kInverseRoot2Pi / (curve.lines_a_pixel * curve.narrow_pixels);
+    const float narrow_fall = -0.5f * kLog2E * lines * lines * curve.narrow_sharpness;
+    const float wide_fall = -0.5f * kLog2E * lines * lines * curve.wide_sharpness;
+    const int base = static_cast<int>(std::floor(0.5f * (from + to) - 0.5f * kLineTaps + 1.0f));
+    for (int x = 0; x < kGroup; x += lanes()) {
+      Floats away =
+          hn::MulAdd(set((to - from) * (1.0f / kGroup)), hn::Add(ramp, set(static_cast<float>(x))),
+                     set(from - static_cast<float>(base)));
+      Pair sum{hn::Zero(d), hn::Zero(d)};
+#pragma GCC unroll 4
+      for (int t = 0; t < kLineTaps; ++t, away = hn::Sub(away, set(1.0f))) {
+        const int row = ((base + t) & curve.ring_mask) * curve.ring_pitch + group * kGroup + x;
+        const Floats q = hn::Mul(away, away);
+        sum.narrow = hn::MulAdd(exp2_below(hn::Mul(q, set(narrow_fall))),
+                                hn::LoadU(d, curve.narrow_ring + row), sum.narrow);
+        sum.wide = hn::MulAdd(exp2_below(hn::Mul(q, set(wide_fall))),
+                              hn::LoadU(d, curve.wide_ring + row), sum.wide);
+      }
+      const Floats both =
+          hn::MulAdd(sum.wide, set(curve.narrow_pixels / curve.wide_pixels), sum.narrow);
+      hn::StoreU(hn::Mul(both, set(brightness)), d, out + group * kGroup + x);
+    }
+    from = to;
+  }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace kinescope
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kinescope {
+
+HWY_EXPORT(SpreadAcross);
+HWY_EXPORT(SpreadAcrossCurve);
+HWY_EXPORT(SpreadDown);
+HWY_EXPORT(SpreadDownCurve);
+
+void spread_across(const AcrossTable& table, CellRows cells, SpreadRows out) {
+  HWY_DYNAMIC_DISPATCH(SpreadAcross)(table, cells, out);
+}
+void spread_across_curve(const AcrossCurve& curve, CellRows cells, SpreadRows out) {
+  HWY_DYNAMIC_DISPATCH(SpreadAcrossCurve)(curve, cells, out);
+}
+void spread_down(int groups, int taps, const float* const* narrow_rows,
+                 const float* const* wide_rows, const float* narrow_weight,
+                 const float* wide_weight, bool add, float* out) {
+  HWY_DYNAMIC_DISPATCH(SpreadDown)
+  (groups, taps, narrow_rows, wide_rows, narrow_weight, wide_weight, add, out);
+}
+void spread_down_curve(const DownCurve& curve, float* out) {
+  HWY_DYNAMIC_DISPATCH(SpreadDownCurve)(curve, out);
+}
+}  // namespace kinescope
+#endif  // HWY_ONCE
