@@ -92,16 +92,24 @@ void add_picture(CLI::App& app, PictureOptions& picture) {
       });
 }
 
-void add_display(CLI::App& app, PictureOptions& picture) {
-  std::string known = "none";
-  for (const DisplayPreset& preset : display_presets()) known += ", " + preset.name;
+/// @param or_bare whether the picture may also be left as it is
+void add_display(CLI::App& app, PictureOptions& picture, bool or_bare) {
+  std::string known = or_bare ? "none" : "";
+  for (const DisplayPreset& preset : display_presets()) {
+    known += (known.empty() ? "" : ", ") + preset.name;
+  }
   add(app, "--display", "PRESET",
       "the tube that shows the picture: " + known + " (default: " + display_presets().front().name +
-          "); none is a bare render",
-      [&](const std::string& text, const std::string&) {
-        if (text != "none") find_display(text);
+          ")" + (or_bare ? "; none is a bare render" : ""),
+      [&picture, or_bare](const std::string& text, const std::string&) {
+        if (!or_bare || text != "none") find_display(text);
         picture.display = text;
       });
+}
+
+void add_depth(CLI::App& app, PictureOptions& picture) {
+  add_choice(app, "--depth", {"8", "16"}, "bits a channel of a PNG (default: 8)",
+             [&picture](std::size_t i) { picture.depth_bits = i == 0 ? 8 : 16; });
 }
 
 void add_camera(CLI::App& app, RenderOptions& render) {
@@ -141,9 +149,8 @@ void add_render(CLI::App& app, Options& options) {
       ->required()
       ->type_name("");
   add_picture(app, options.picture);
-  add_display(app, options.picture);
-  add_choice(app, "--depth", {"8", "16"}, "bits a channel of a PNG (default: 8)",
-             [&](std::size_t i) { options.picture.depth_bits = i == 0 ? 8 : 16; });
+  add_display(app, options.picture, true);
+  add_depth(app, options.picture);
   add_choice(app, "--shading", {"flat", "gouraud", "phong", "blinn", "unlit", "wireframe"},
              "how surfaces are lit (default: phong)", [&render](std::size_t i) {
                constexpr std::array kModels{ShadingModel::kFlat, ShadingModel::kGouraud,
@@ -160,6 +167,67 @@ void add_render(CLI::App& app, Options& options) {
   add_camera(app, render);
   app.add_flag("--turntable", render.turntable,
                "a film of exactly one turn in --frames (default: six seconds)");
+  add_common(app, options.common);
+}
+
+/// What says how the input is to be read.
+void add_input(CLI::App& app, DisplayRequest& request) {
+  app.add_option("IN", request.input,
+                 "a PNG or JPEG, a y4m film, frame_####.png, pattern:NAME, or - for standard input")
+      ->type_name("");
+  add(app, "--raw", "FMT:WxH@RATE",
+      "the input is video without headers, such as rgb24:640x480@60; FMT is " + raw_format_names(),
+      [&](const std::string& text, const std::string& option) {
+        request.raw = parse_raw_video(text, option);
+      });
+  add(app, "--input-fps", "RATE",
+      "pictures a second of the input (default: as it says; a sequence: the display's refresh)",
+      [&](const std::string& text, const std::string& option) {
+        request.input_rate = parse_rate(text, option);
+      });
+  add_choice(app, "--matrix", {"auto", "601", "709"},
+             "a video's colours: BT.601 or BT.709 (default: as it says, or by its size)",
+             [&](std::size_t i) {
+               if (i == 0) request.matrix.reset();
+               if (i > 0) request.matrix = i == 1 ? YuvMatrix::kBt601 : YuvMatrix::kBt709;
+             });
+  add_choice(app, "--signal", {"picture", "drive"},
+             "what the input's codes are: sRGB, gamma-corrected for the tube (default), or the "
+             "guns' drive, as old computers sent it",
+             [&](std::size_t i) { request.gun_drive = i == 1; });
+  add_choice(app, "--fit", {"inside", "fill", "native"},
+             "in its own shape (default), stretched to the face, or pixel for pixel",
+             [&](std::size_t i) {
+               request.fit = std::array{Fit::kInside, Fit::kFill, Fit::kNative}[i];
+             });
+}
+
+void add_display_command(CLI::App& app, Options& options) {
+  DisplayRequest& request = options.display;
+  add_input(app, request);
+  add_picture(app, options.picture);
+  add_display(app, options.picture, false);
+  app.add_flag("--list-presets", request.list_presets, "list the displays and leave");
+  add(app, "--mode", "MODE", "a video mode, as timing takes it, instead of the preset's",
+      [&](const std::string& text, const std::string&) {
+        parse_mode(text).check();
+        request.mode = text;
+      });
+  add(app, "--aspect", "W:H", "shape of the tube's face (default: 4:3)",
+      [&](const std::string& text, const std::string& option) {
+        request.aspect = parse_aspect(text, option);
+      });
+  add(app, "--gain", "G|auto",
+      "brightness: light over the refresh period times G, or (auto, default) light over the "
+      "shutter's length, so that short exposures are not black",
+      [&](const std::string& text, const std::string& option) {
+        request.gain = parse_gain(text, option);
+      });
+  add(app, "--start", "SECONDS", "when the first picture is taken (default: 0)",
+      [&](const std::string& text, const std::string& option) {
+        request.start = parse_start(text, option);
+      });
+  add_depth(app, options.picture);
   add_common(app, options.common);
 }
 
@@ -186,6 +254,14 @@ Examples:
   kinescope render model.obj -o model.png
   kinescope render model.obj --display none --shading flat --size 320x240 -o - > model.png
   kinescope render model.obj --turntable --frames 24 --size 320x240 -o turn.y4m)";
+
+constexpr const char* kDisplayExamples =
+    R"(Without -o a picture is shown in a window; a film is written to out/.
+Examples:
+  kinescope display photo.png -o tube.png
+  kinescope display pattern:smpte-bars --mode ntsc -o bars.png
+  kinescope display film.y4m --fps 240 --shutter 1/240 -o slices.y4m
+  kinescope display pattern:crosshatch --mode 240p --shutter 1/4000 -o lines.png)";
 
 constexpr const char* kTimingExamples =
     R"(MODE is a name such as 640x480@60, gtf:WxH@HZ, cvt:WxH@HZ, cvtrb:WxH@HZ, or a Modeline.
@@ -223,6 +299,9 @@ class Grammar {
     add_render(command("render", "models to a picture or a film, through a display or bare",
                        Command::kRender, kRenderExamples),
                options);
+    add_display_command(command("display", "a picture or a film through a raster tube",
+                                Command::kDisplay, kDisplayExamples),
+                        options);
     CLI::App& timing = command("timing",
                                "a video mode: every interval in pixels, lines and "
                                "microseconds",

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "demos/machine.h"
+#include "demos/numbered_files.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -42,13 +43,13 @@ FilmFormat film_format(const std::string& output, const std::string& format, boo
   return FilmFormat::kPng;
 }
 
-std::string numbered_name(const std::string& pattern, int number) {
-  const std::size_t end = pattern.find_last_of('#');
-  if (end == std::string::npos) return pattern;
-  std::size_t begin = end;
-  while (begin > 0 && pattern[begin - 1] == '#') --begin;
-  return pattern.substr(0, begin) + fmt::format("{:0{}}", number, end - begin + 1) +
-         pattern.substr(end + 1);
+void check_output(const Options& options, FilmFormat format) {
+  if (options.common.json && options.picture.output == "-") {
+    throw Error(ErrorKind::kUsage, "standard output cannot hold both a picture and --json", "-o");
+  }
+  if (options.picture.depth_bits == 16 && format != FilmFormat::kPng) {
+    throw Error(ErrorKind::kUsage, "only PNG takes 16 bits a channel", "--depth");
+  }
 }
 
 void check_writable(const std::string& output) {

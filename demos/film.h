@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <variant>
 
+#include "demos/options.h"
 #include "demos/picture.h"
 #include "raster/base/output_file.h"
 #include "raster/base/units.h"
@@ -16,13 +18,16 @@ namespace kinescope {
 
 enum class FilmFormat { kPng, kY4m, kRaw };
 
+/// A picture as it is written: 8 or 16 bits a channel.
+using FilmPicture = std::variant<Image<Srgb8>, Image<Srgb16>>;
+
 /// The format of an output: `format` ("png", "y4m", "raw") if given, else by the name's ending; "-"
 /// and names without an ending hold a PNG for one frame and a y4m film for more.
 /// @throws Error (usage) if the ending says nothing, or if several frames are to be one PNG
 FilmFormat film_format(const std::string& output, const std::string& format, bool several_frames);
 
-/// "frame_####.png" and 7: "frame_0007.png". A name without # is returned as it is.
-std::string numbered_name(const std::string& pattern, int number);
+/// @throws Error (usage) if the output cannot be of that format with these options
+void check_output(const Options& options, FilmFormat format);
 
 /// @throws Error (cannot write) if the folder is missing or closed to us, so that long work does
 /// not end in vain
@@ -52,6 +57,9 @@ class Film {
   void write(const Image<Srgb8>& picture, int number);
   /// @pre the format is PNG
   void write(const Image<Srgb16>& picture, int number);
+  void write(const FilmPicture& picture, int number) {
+    std::visit([&](const auto& p) { write(p, number); }, picture);
+  }
   void close();
 
  private:

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "raster/base/error.h"
-#include "raster/base/output_file.h"
+#include "raster/base/input_file.h"
 
 namespace kinescope {
 namespace {

@@ -1,14 +1,11 @@
 #include "demos/model_film.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "demos/displays.h"
-#include "display/light_encode.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -45,12 +42,7 @@ void plan_frames(ModelFilmPlan& plan, const Options& options) {
   const double turn_s =
       turntable ? (plan.frames.last + 1) * plan.rate.period().count() : kTurnSeconds;
   plan.turn_rad_per_s = 2 * std::numbers::pi / turn_s;
-  if (plan.several() && plan.shutter > plan.rate.period() * (1 + 1e-6)) {
-    refuse(options.picture.shutter ? "--shutter" : "--fps",
-           fmt::format("the shutter stays open {:.6g} s, longer than a frame at {:.6g} frames a "
-                       "second lasts; choose a shorter --shutter or a lower --fps",
-                       plan.shutter.count(), plan.rate.hertz()));
-  }
+  if (plan.several()) check_shutter(plan.shutter, plan.rate, options.picture.shutter.has_value());
 }
 
 }  // namespace
@@ -127,25 +119,22 @@ void ModelFilm::shoot_bare(Film* film, int frame) {
 void ModelFilm::shoot_tube(Film* film, int frame) {
   const double first_s = plan_.frames.first * plan_.rate.period().count();
   const double refresh_s = plan_.tube.mode.frame_period().count();
-  if (!camera_) {
-    const double aspect = static_cast<double>(plan_.drawn.width) / plan_.drawn.height;
-    const Size glass = fit_within(plan_.size, aspect);
+  if (!tube_film_) {
     const auto source = [this, first_s, refresh_s](std::int64_t refresh) -> const Image<Srgb8>& {
       draw(plan_.turn_rad_per_s * (first_s + refresh_s * static_cast<double>(refresh)));
       return target_.srgb8();
     };
-    camera_ = std::make_unique<TubeCamera>(plan_.tube, glass.width, glass.height, source, workers_);
+    TubeShot shot;
+    shot.tube = plan_.tube;
+    shot.size = plan_.size;
+    shot.aspect = static_cast<double>(plan_.drawn.width) / plan_.drawn.height;
+    shot.shutter = plan_.shutter;
+    shot.every = plan_.rate.period();
+    shot.deep = deep_;
+    tube_film_ = std::make_unique<TubeFilm>(shot, source, workers_);
   }
   const Seconds begin(frame * plan_.rate.period().count() - first_s);
-  const Exposure exposure{begin, begin + plan_.shutter};
-  const Image<LinearRgb>& light = camera_->expose(exposure);
-  const auto gain = ExposureGain::average(exposure, plan_.tube.mode.frame_period());
-  const auto encode = [&](auto picture) {
-    encode_light(light, gain, workers_, picture);
-    picture = centre_on_black(std::move(picture), plan_.size);
-    finish(film, frame, picture);
-  };
-  deep_ ? encode(Image<Srgb16>()) : encode(Image<Srgb8>());
+  std::visit([&](const auto& picture) { finish(film, frame, picture); }, tube_film_->shoot(begin));
 }
 
 void ModelFilm::write_times(JsonWriter& json) const {

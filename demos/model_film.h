@@ -9,7 +9,7 @@
 #include "demos/machine.h"
 #include "demos/model_view.h"
 #include "demos/options.h"
-#include "demos/tube_camera.h"
+#include "demos/tube_film.h"
 
 namespace kinescope {
 
@@ -62,7 +62,7 @@ class ModelFilm {
   bool want_hashes_;
   Workers& workers_;
   RenderTarget target_;
-  std::unique_ptr<TubeCamera> camera_;
+  std::unique_ptr<TubeFilm> tube_film_;
   RenderStats last_stats_;
   std::uint64_t last_colour_hash_ = 0;
   std::vector<FrameFigures> figures_;

@@ -1,5 +1,6 @@
 #include "demos/options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -100,6 +101,45 @@ std::optional<Seconds> parse_shutter(std::string_view text, const std::string& o
   const auto seconds = positive_ratio(text);
   if (!seconds || *seconds > 3600) refuse(text, option, "frame, or seconds such as 0.004 or 1/240");
   return Seconds(*seconds);
+}
+
+Seconds parse_start(std::string_view text, const std::string& option) {
+  constexpr double kLatest_s = 1e6;
+  if (text == "0") return Seconds(0);
+  const auto seconds = positive_ratio(text);
+  if (!seconds || *seconds > kLatest_s) refuse(text, option, "a time in seconds, 0 or later");
+  return Seconds(*seconds);
+}
+
+std::optional<double> parse_gain(std::string_view text, const std::string& option) {
+  if (text == "auto") return std::nullopt;
+  const auto gain = positive_ratio(text);
+  if (!gain || *gain > 1e6) refuse(text, option, "auto, or a factor above 0 such as 2.5");
+  return gain;
+}
+
+double parse_aspect(std::string_view text, const std::string& option) {
+  std::string ratio(text);
+  std::replace(ratio.begin(), ratio.end(), ':', '/');
+  const auto aspect = positive_ratio(ratio);
+  if (!aspect || *aspect > 10 || *aspect < 0.1) refuse(text, option, "a shape such as 4:3 or 16:9");
+  return *aspect;
+}
+
+RawVideo parse_raw_video(std::string_view text, const std::string& option) {
+  const auto [name, rest] = split(text, ':');
+  const auto [size_text, rate_text] = split(rest, '@');
+  if (size_text.empty() || rate_text.empty()) {
+    refuse(text, option, "raw video such as rgb24:640x480@60");
+  }
+  const Size size = parse_size(size_text, option);
+  const Rate rate = parse_rate(rate_text, option);
+  if (std::int64_t{size.width} * size.height > kMaxImagePixels) {
+    refuse(size_text, option, "a size of at most " + std::to_string(kMaxImagePixels) + " pixels");
+  }
+  const auto format = raw_format(std::string(name), size.width, size.height);
+  if (!format) refuse(name, option, "a format of raw video; there are " + raw_format_names());
+  return {*format, rate};
 }
 
 glm::vec3 parse_vector(std::string_view text, const std::string& option) {

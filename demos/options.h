@@ -10,6 +10,7 @@
 
 #include "demos/picture.h"
 #include "raster/base/units.h"
+#include "raster/image/video.h"
 #include "shading/surface.h"
 
 namespace kinescope {
@@ -53,19 +54,48 @@ struct RenderOptions {
   bool turntable = false;
 };
 
+/// How a picture lies on a raster of another size.
+enum class Fit {
+  kInside,  ///< as large as it can be, in its own shape
+  kFill,    ///< stretched to the whole face
+  kNative,  ///< pixel for pixel, centred, cut off where it is larger
+};
+
+/// "rgb24:640x480@60": video without headers.
+struct RawVideo {
+  VideoFormat format;
+  Rate rate;
+};
+
+/// What `display` alone takes.
+struct DisplayRequest {
+  std::string input;  ///< a file, frame_####.png, pattern:NAME, or - for standard input
+  std::optional<RawVideo> raw;
+  std::optional<YuvMatrix> matrix;  ///< of a video; none: as it says, or the usual one
+  std::optional<Rate> input_rate;   ///< none: as the input says, or the display's refresh
+  std::optional<bool> gun_drive;    ///< whether codes are the guns' signal; none: patterns alone
+  std::optional<std::string> mode;  ///< instead of the preset's
+  Fit fit = Fit::kInside;
+  double aspect = 4.0 / 3;     ///< width over height of the tube's face
+  std::optional<double> gain;  ///< none: by the shutter's length
+  Seconds start{0};
+  bool list_presets = false;
+};
+
 /// What `demo` alone takes.
 struct DemoRequest {
   std::string name;
   std::string script;  ///< a file of inputs, or empty
 };
 
-enum class Command { kGallery, kList, kDemo, kRender, kTiming };
+enum class Command { kGallery, kList, kDemo, kRender, kDisplay, kTiming };
 
 struct Options {
   Command command = Command::kGallery;
   CommonOptions common;
   PictureOptions picture;
   RenderOptions render;
+  DisplayRequest display;
   DemoRequest demo;
   std::string mode;  ///< what `timing` explains
 };
@@ -82,6 +112,14 @@ FrameRange parse_frames(std::string_view text, const std::string& option);
 Rate parse_rate(std::string_view text, const std::string& option);
 /// "frame" (nothing is returned), "0.004", "1/240"
 std::optional<Seconds> parse_shutter(std::string_view text, const std::string& option);
+/// A time in seconds, 0 or later
+Seconds parse_start(std::string_view text, const std::string& option);
+/// "auto" (nothing is returned), or a factor above 0
+std::optional<double> parse_gain(std::string_view text, const std::string& option);
+/// "16:9", "4/3", "1.333"
+double parse_aspect(std::string_view text, const std::string& option);
+/// "rgb24:640x480@60"
+RawVideo parse_raw_video(std::string_view text, const std::string& option);
 /// "1,2.5,-3"
 glm::vec3 parse_vector(std::string_view text, const std::string& option);
 

@@ -30,6 +30,8 @@ Entry entry_of(Command command) {
       return {"demo ", run_demo};
     case Command::kRender:
       return {"render ", run_render};
+    case Command::kDisplay:
+      return {"display ", run_display};
     case Command::kTiming:
       return {"timing ", run_timing};
   }

@@ -10,6 +10,7 @@ namespace kinescope {
 /// characters, no colour (so NO_COLOR holds always).
 class Progress {
  public:
+  /// @param total 0 if it is not known
   /// @param shown false keeps it silent (--quiet)
   Progress(std::string what, int total, bool shown);
   ~Progress();  ///< wipes the bar

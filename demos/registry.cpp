@@ -14,10 +14,11 @@ DemoInfo retrace_demo();
 DemoInfo frame_buffer_demo();
 DemoInfo phosphors_demo();
 DemoInfo pipeline_demo();
+DemoInfo test_patterns_demo();
 
 std::span<const DemoInfo> all_demos() {
-  static const std::array kDemos = {teapot_demo(), retrace_demo(), frame_buffer_demo(),
-                                    phosphors_demo(), pipeline_demo()};
+  static const std::array kDemos = {teapot_demo(),    retrace_demo(),  frame_buffer_demo(),
+                                    phosphors_demo(), pipeline_demo(), test_patterns_demo()};
   return kDemos;
 }
 

@@ -19,7 +19,9 @@ float largest_change(const Image<LinearRgb>& before, const Image<LinearRgb>& aft
   return largest;
 }
 
-void add(Image<LinearRgb>& sum, const Image<LinearRgb>& light) {
+}  // namespace
+
+void add_light(Image<LinearRgb>& sum, const Image<LinearRgb>& light) {
   for (std::size_t i = 0; i < light.pixels().size(); ++i) {
     LinearRgb& to = sum.pixels()[i];
     const LinearRgb from = light.pixels()[i];
@@ -27,13 +29,12 @@ void add(Image<LinearRgb>& sum, const Image<LinearRgb>& light) {
   }
 }
 
-}  // namespace
-
 TubeCamera::TubeCamera(const TubeSettings& settings, int width, int height, Source source,
-                       Workers& workers)
+                       Workers& workers, TubeSignal signal)
     : settings_(settings),
       source_(std::move(source)),
       workers_(workers),
+      signal_(signal),
       correct_(settings.gun.gamma),
       buffer_(settings.mode.horizontal.active, settings.mode.vertical.active,
               PixelFormat::kXrgb8888, 1),
@@ -44,7 +45,8 @@ TubeCamera::TubeCamera(const TubeSettings& settings, int width, int height, Sour
 
 void TubeCamera::show(std::int64_t refresh) {
   refresh_ = refresh;
-  buffer_.store(0, correct_(source_(refresh)));
+  const Image<Srgb8>& picture = source_(refresh);
+  buffer_.store(0, signal_ == TubeSignal::kPicture ? correct_(picture) : picture);
 }
 
 void TubeCamera::settle() {
@@ -60,10 +62,13 @@ void TubeCamera::settle() {
   } while (settling_ < kMostSettling);
 }
 
+void TubeCamera::turn_page() {
+  if (now_ >= static_cast<double>(refresh_ + 1) * period_) show(refresh_ + 1);
+}
+
 const Image<LinearRgb>& TubeCamera::run_to(Seconds end) {
-  const auto refresh_end = [this] { return static_cast<double>(refresh_ + 1) * period_; };
-  if (now_ >= refresh_end()) show(refresh_ + 1);
-  now_ = std::min(end, refresh_end());
+  turn_page();
+  now_ = std::min(end, static_cast<double>(refresh_ + 1) * period_);
   return tube_.expose(buffer_, static_cast<double>(settling_) * period_ + now_, workers_);
 }
 
@@ -73,13 +78,19 @@ Seconds TubeCamera::snapped(Seconds t) const {
   return std::abs(refreshes - whole) < 1e-6 ? whole * period_ : t;
 }
 
+void TubeCamera::pass_to(Seconds time) {
+  time = snapped(time);
+  while (now_ < time) run_to(time);
+  turn_page();
+}
+
 const Image<LinearRgb>& TubeCamera::expose(Exposure exposure) {
   exposure = {snapped(exposure.begin), snapped(exposure.end)};
-  while (now_ < exposure.begin) run_to(exposure.begin);
+  pass_to(exposure.begin);
   const Image<LinearRgb>* light = &run_to(exposure.end);
   if (now_ < exposure.end) {
     sum_ = *light;
-    while (now_ < exposure.end) add(sum_, run_to(exposure.end));
+    while (now_ < exposure.end) add_light(sum_, run_to(exposure.end));
     light = &sum_;
   }
   return *light;

@@ -11,6 +11,14 @@
 
 namespace kinescope {
 
+/// What the codes of a source's pictures mean.
+enum class TubeSignal {
+  kPicture,   ///< sRGB, brought to the guns by gamma correction
+  kGunDrive,  ///< the guns' own signal: generators, old computers
+};
+
+void add_light(Image<LinearRgb>& sum, const Image<LinearRgb>& light);
+
 /// Times count from the first pixel of refresh 0, before which the tube has shown picture 0 for
 /// so long that its light is steady.
 class TubeCamera {
@@ -19,17 +27,24 @@ class TubeCamera {
   using Source = std::function<const Image<Srgb8>&(std::int64_t refresh)>;
 
   /// @param width, height of the photographs, pixels
-  TubeCamera(const TubeSettings& settings, int width, int height, Source source, Workers& workers);
+  TubeCamera(const TubeSettings& settings, int width, int height, Source source, Workers& workers,
+             TubeSignal signal = TubeSignal::kPicture);
 
   /// The light of the exposure, in refreshes of steady white; exposures must follow each other in
   /// time. @return valid until the next call
   const Image<LinearRgb>& expose(Exposure exposure);
+
+  /// Lets time pass unseen until `time`; the refresh that begins then, if one does, has its
+  /// picture.
+  void pass_to(Seconds time);
 
   Rate refresh() const { return settings_.mode.frame_rate(); }
 
  private:
   void settle();
   void show(std::int64_t refresh);
+  /// Shows the next picture if its refresh begins now.
+  void turn_page();
   /// Times within rounding of a refresh's start are that start.
   Seconds snapped(Seconds t) const;
   /// Moves on to `end`, at most to the end of the refresh that passes.
@@ -38,6 +53,7 @@ class TubeCamera {
   TubeSettings settings_;
   Source source_;
   Workers& workers_;
+  TubeSignal signal_;
   GammaCorrection correct_;
   FrameBuffer buffer_;
   RasterTube tube_;

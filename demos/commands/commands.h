@@ -9,6 +9,7 @@ int run_gallery(const Options& options);
 int run_list(const Options& options);
 int run_demo(const Options& options);
 int run_render(const Options& options);
+int run_display(const Options& options);
 int run_timing(const Options& options);
 
 }  // namespace kinescope

@@ -49,15 +49,6 @@ std::string output_of(const Options& options, bool several) {
                        several);
 }
 
-void check_together(const Options& options, FilmFormat format) {
-  if (options.common.json && options.picture.output == "-") {
-    throw Error(ErrorKind::kUsage, "standard output cannot hold both a picture and --json", "-o");
-  }
-  if (options.picture.depth_bits == 16 && format != FilmFormat::kPng) {
-    throw Error(ErrorKind::kUsage, "only PNG takes 16 bits a channel", "--depth");
-  }
-}
-
 void write_frames(JsonWriter& json, const ModelFilm& film) {
   json.hash_member("visibility_hash", film.figures().front().stats.raster.visibility_hash);
   json.hash_member("colour_hash", film.figures().front().colour_hash);
@@ -103,7 +94,7 @@ int film_models(const Options& options, const ModelFilmPlan& plan, const std::st
   std::optional<Film> film;
   if (!output.empty()) {
     const FilmFormat format = film_format(output, options.picture.format, plan.several());
-    check_together(options, format);
+    check_output(options, format);
     film.emplace(output, format, plan.size, plan.rate);
   }
   Warnings warnings;

@@ -6,7 +6,7 @@
 
 #include "engine/io/reader.h"
 #include "engine/io/text.h"
-#include "raster/base/output_file.h"
+#include "raster/base/input_file.h"
 
 namespace kinescope {
 namespace {

@@ -16,7 +16,7 @@
 #include "engine/io/obj_mesh.h"
 #include "engine/io/picture_finder.h"
 #include "engine/io/text.h"
-#include "raster/base/output_file.h"
+#include "raster/base/input_file.h"
 
 namespace kinescope {
 namespace {

@@ -13,7 +13,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <memory>
 #include <utility>
 
 #include "raster/base/error.h"
@@ -176,43 +175,6 @@ void OutputFile::remove_unfinished() noexcept {
   for (Slot& slot : unfinished) {
     if (slot.state == Slot::kArmed) unlink(slot.path.data());
   }
-}
-
-std::vector<std::uint8_t> read_file(const std::string& path, std::size_t max_bytes) {
-  struct Close {
-    void operator()(std::FILE* file) const {
-      if (file != stdin) std::fclose(file);
-    }
-  };
-  const std::string name = path == "-" ? "standard input" : path;
-  const auto fail = [&] {
-    throw_bad_input(std::string("cannot be read: ") + std::strerror(errno), name);
-  };
-  const std::unique_ptr<std::FILE, Close> file(path == "-" ? stdin
-                                                           : std::fopen(path.c_str(), "rbe"));
-  if (!file) fail();
-  struct stat info {};
-  const bool sized = fstat(fileno(file.get()), &info) == 0 && S_ISREG(info.st_mode);
-  const std::size_t claimed = sized ? static_cast<std::size_t>(info.st_size) : 0;
-  const auto check = [&](std::size_t size) {
-    if (size > max_bytes) {
-      throw_bad_input("larger than the " + std::to_string(max_bytes) + " bytes that can be read",
-                      name);
-    }
-  };
-  check(claimed);
-  // One byte more than the file says, so that one read finds both its end and its growth.
-  std::vector<std::uint8_t> bytes(claimed ? claimed + 1 : 1 << 16);
-  std::size_t size = 0;
-  for (;;) {
-    size += std::fread(bytes.data() + size, 1, bytes.size() - size, file.get());
-    if (std::ferror(file.get())) fail();
-    check(size);
-    if (size < bytes.size()) break;
-    bytes.resize(bytes.size() * 2);
-  }
-  bytes.resize(size);
-  return bytes;
 }
 
 }  // namespace kinescope

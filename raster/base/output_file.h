@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace kinescope {
 
@@ -36,10 +35,5 @@ class OutputFile {
   std::FILE* stream_ = nullptr;
   int slot_ = -1;
 };
-
-/// The whole of a file, or of standard input for "-".
-/// @throws Error (bad input) if it cannot be read or is larger than max_bytes
-std::vector<std::uint8_t> read_file(const std::string& path,
-                                    std::size_t max_bytes = std::size_t{1} << 31);
 
 }  // namespace kinescope

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "raster/base/error.h"
-#include "raster/base/output_file.h"
+#include "raster/base/input_file.h"
 
 namespace kinescope {
 

@@ -30,7 +30,8 @@ Image<Srgb8> read_jpeg(std::span<const std::uint8_t> bytes, const std::string& n
 void write_png(const std::string& path, const Image<Srgb8>& picture);
 void write_png(const std::string& path, const Image<Srgb16>& picture);
 
-/// YUV4MPEG2, 4:4:4, 8 bits, BT.601 limited range; readers such as ffmpeg take it as it is.
+/// YUV4MPEG2, 4:4:4, 8 bits, BT.601 limited range, which a tag of our own names; readers such as
+/// ffmpeg take it as it is.
 class Y4mWriter {
  public:
   /// `path` "-" is standard output. @throws Error (cannot write)

@@ -34,7 +34,7 @@ Y4mWriter::Y4mWriter(const std::string& path, int width, int height, Rate frame_
   const Rate rate = frame_rate.reduced();
   state_->file.write("YUV4MPEG2 W" + std::to_string(width) + " H" + std::to_string(height) + " F" +
                      std::to_string(rate.numerator) + ":" + std::to_string(rate.denominator) +
-                     " Ip A1:1 C444 XCOLORRANGE=LIMITED\n");
+                     " Ip A1:1 C444 XCOLORRANGE=LIMITED XMATRIX=601\n");
 }
 
 Y4mWriter::~Y4mWriter() = default;

@@ -7,14 +7,6 @@
 namespace kinescope {
 namespace {
 
-TEST(Film, NumbersFillTheHashes) {
-  EXPECT_EQ(numbered_name("frame_####.png", 7), "frame_0007.png");
-  EXPECT_EQ(numbered_name("frame_##.png", 12345), "frame_12345.png");
-  EXPECT_EQ(numbered_name("#", 0), "0");
-  EXPECT_EQ(numbered_name("a#/b##.png", 3), "a#/b03.png");
-  EXPECT_EQ(numbered_name("plain.png", 3), "plain.png");
-}
-
 TEST(Film, FormatByEndingByOptionAndByCount) {
   EXPECT_EQ(film_format("a.png", "", false), FilmFormat::kPng);
   EXPECT_EQ(film_format("a_#.png", "", true), FilmFormat::kPng);

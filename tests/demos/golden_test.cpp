@@ -75,7 +75,8 @@ INSTANTIATE_TEST_SUITE_P(
                              "1 key Left\n1 key Left\n1 key Left\n"},
                       Golden{"frame-buffer-torn", "frame-buffer", 20, "0 key 3\n0 key f\n"},
                       Golden{"phosphors", "phosphors", 30, "0 key t\n0 key t\n"},
-                      Golden{"pipeline", "pipeline", 3, ""}),
+                      Golden{"pipeline", "pipeline", 3, ""},
+                      Golden{"test-patterns", "test-patterns", 5, "0 key m\n"}),
     [](const auto& golden) {
       std::string name = golden.param.file;
       std::erase(name, '-');

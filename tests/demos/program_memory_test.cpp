@@ -51,6 +51,17 @@ TEST(ProgramMemory, EveryCommandThatDrawsSaysThatASizeIsTooLarge) {
   EXPECT_THAT(folder.files(), ElementsAre("m.obj"));
 }
 
+TEST(ProgramMemory, WhatAFilmClaimsTakesNone) {
+  TemporaryFolder folder;
+  // 16000x16000 pixels in 4:4:4 would be 732 MiB.
+  write_text(folder / "a.y4m", "YUV4MPEG2 W16000 H16000 F60:1 C444\nFRAME\nabc");
+  const RunResult run = run_shell("ulimit -v 700000; kinescope display a.y4m -o b.y4m --threads 1",
+                                  {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 3) << run.err;
+  EXPECT_EQ(run.lines_of_err(), 1) << run.err;
+  EXPECT_THAT(folder.files(), ElementsAre("a.y4m"));
+}
+
 TEST(ProgramMemory, TheSameLimitSufficesForTheUsualSize) {
   TemporaryFolder folder;
   const RunResult run = run_shell("ulimit -v 1000000; kinescope demo frame-buffer -o a.png",

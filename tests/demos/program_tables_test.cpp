@@ -18,7 +18,7 @@ TEST(ProgramList, TeapotComesFirstAndEachHasALine) {
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_EQ(list.err, "");
   EXPECT_TRUE(list.out.starts_with("teapot "));
-  for (const char* name : {"retrace", "frame-buffer", "pipeline"}) {
+  for (const char* name : {"retrace", "frame-buffer", "pipeline", "test-patterns"}) {
     EXPECT_THAT(list.out, HasSubstr(std::string("\n") + name + " "));
   }
 }

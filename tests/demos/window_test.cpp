@@ -159,6 +159,21 @@ TEST_F(Window, HoldsTheTeapotInLittleMemory) {
   EXPECT_LT(peak, 150'000'000u);
 }
 
+TEST_F(Window, ShowsThePictureOfDisplay) {
+  start({"display", "pattern:ebu-bars"});
+  ASSERT_TRUE(shown());
+  const auto like = [](Srgb8 c, bool r, bool g, bool b) {
+    return (c.r > 100) == r && (c.g > 100) == g && (c.b > 100) == b;
+  };
+  EXPECT_TRUE(until([&](const auto& shot) {
+    return shot.width() == 640 && like(shot.at(120, 300), true, true, false) &&
+           like(shot.at(280, 300), false, true, false) &&
+           like(shot.at(600, 300), false, false, false);
+  }));
+  key("Escape");
+  EXPECT_EQ(program_->wait(kPatience), 0) << test::read_text(folder_ / "said.txt");
+}
+
 TEST_F(Window, GalleryStartsADemoAndEscapeReturns) {
   start({});
   ASSERT_TRUE(shown());
@@ -166,7 +181,7 @@ TEST_F(Window, GalleryStartsADemoAndEscapeReturns) {
   const Image<Srgb8> gallery = display_->screenshot();
   key("Right");
   key("Down");
-  key("Return");  // pipeline: four panes
+  key("Return");  // a demo of the second row
   ASSERT_TRUE(until([&](const auto& shot) { return changed(shot, gallery) > 0.2; }));
   key("Escape");
   ASSERT_TRUE(until([&](const auto& shot) { return changed(shot, gallery) < 0.2; }));

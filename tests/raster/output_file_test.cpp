@@ -224,39 +224,5 @@ TEST(OutputFile, MoreThanASignalHandlerCanRemoveIsRefused) {
   EXPECT_EQ(scratch.file_count(), 0);
 }
 
-TEST(ReadFile, GivesTheWholeFile) {
-  const Scratch scratch;
-  for (const std::size_t size : {0, 1, 65535, 65536, 65537, 300000}) {
-    std::string text;
-    for (std::size_t i = 0; i < size; ++i) text += static_cast<char>(i * 7);
-    Scratch::put(scratch.path("f"), text);
-    const std::vector<std::uint8_t> bytes = read_file(scratch.path("f"));
-    EXPECT_EQ(std::string(bytes.begin(), bytes.end()), text);
-  }
-}
-
-TEST(ReadFile, ReadsAPipe) {
-  const Scratch scratch;
-  const std::string path = scratch.path("pipe");
-  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  std::thread writer([&] { Scratch::put(path, std::string(150000, 'q')); });
-  EXPECT_EQ(read_file(path).size(), 150000u);
-  writer.join();
-}
-
-TEST(ReadFile, SaysWhatIsWrong) {
-  const Scratch scratch;
-  const auto line = [](const std::string& path, std::size_t limit) {
-    return error_of(ErrorKind::kBadInput, [&] { read_file(path, limit); });
-  };
-  EXPECT_EQ(line(scratch.path("none"), 10),
-            scratch.path("none") + ": cannot be read: No such file or directory");
-  EXPECT_EQ(line(scratch.path(""), 10), scratch.path("") + ": cannot be read: Is a directory");
-  Scratch::put(scratch.path("f"), "12345678901");
-  EXPECT_THAT(line(scratch.path("f"), 10), HasSubstr("larger than the 10 bytes"));
-  EXPECT_THAT(line("/dev/zero", 100000), HasSubstr("larger than"));
-  EXPECT_EQ(read_file(scratch.path("f"), 11).size(), 11u);
-}
-
 }  // namespace
 }  // namespace kinescope

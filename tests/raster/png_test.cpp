@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "raster/base/error.h"
-#include "raster/base/output_file.h"
+#include "raster/base/input_file.h"
 #include "raster/image/codecs.h"
 #include "tests/raster/optional_data.h"
 #include "tests/raster/png_by_hand.h"

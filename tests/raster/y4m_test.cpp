@@ -50,7 +50,8 @@ TEST(Y4m, HeaderAndPlanesAreThoseOfTheFormat) {
   EXPECT_FALSE(std::filesystem::exists(path));
   film.close();
   const std::string bytes = Scratch::text(path);
-  const std::string header = "YUV4MPEG2 W17 H5 F60000:1001 Ip A1:1 C444 XCOLORRANGE=LIMITED\n";
+  const std::string header =
+      "YUV4MPEG2 W17 H5 F60000:1001 Ip A1:1 C444 XCOLORRANGE=LIMITED XMATRIX=601\n";
   const std::size_t plane = static_cast<std::size_t>(width * height), frame_size = 6 + 3 * plane;
   ASSERT_EQ(bytes.size(), header.size() + 2 * frame_size);
   EXPECT_EQ(bytes.substr(0, header.size()), header);

@@ -15,7 +15,7 @@
 #include "engine/io/gltf/nodes.h"
 #include "engine/io/picture_finder.h"
 #include "engine/io/text.h"
-#include "raster/base/output_file.h"
+#include "raster/base/input_file.h"
 
 namespace kinescope {
 namespace {
