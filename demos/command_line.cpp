@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "demos/displays.h"
+#include "display/tube/preset.h"
 #include "raster/base/error.h"
 #include "raster/base/simd.h"
 
@@ -95,15 +95,22 @@ void add_picture(CLI::App& app, PictureOptions& picture) {
 /// @param or_bare whether the picture may also be left as it is
 void add_display(CLI::App& app, PictureOptions& picture, bool or_bare) {
   std::string known = or_bare ? "none" : "";
-  for (const DisplayPreset& preset : display_presets()) {
+  for (const TubePreset& preset : tube_presets()) {
     known += (known.empty() ? "" : ", ") + preset.name;
   }
   add(app, "--display", "PRESET",
-      "the tube that shows the picture: " + known + " (default: " + display_presets().front().name +
-          ")" + (or_bare ? "; none is a bare render" : ""),
+      "the tube that shows the picture, a .txt file or one of " + known + " (default: " +
+          tube_presets().front().name + ")" + (or_bare ? "; none is a bare render" : ""),
       [&picture, or_bare](const std::string& text, const std::string&) {
-        if (!or_bare || text != "none") find_display(text);
+        if (!or_bare || text != "none") find_tube_preset(text);
         picture.display = text;
+      });
+  add(app, "--set", "KEY=VALUE",
+      "changes one setting of the tube: spot.sigma=0.2mm; may be repeated",
+      [&picture](const std::string& text, const std::string&) {
+        TubeSettings scratch = tube_presets().front().settings;
+        override_tube_setting(scratch, text);
+        picture.changes.push_back(text);
       });
 }
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "demos/displays.h"
+#include "demos/chosen_tube.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -57,10 +57,9 @@ TubeShot plan_shot(const Options& options) {
   const DisplayRequest& request = options.display;
   const PictureOptions& picture = options.picture;
   TubeShot shot;
-  shot.tube =
-      (picture.display ? find_display(*picture.display) : display_presets().front()).settings();
+  shot.tube = chosen_tube(picture).settings;
   if (request.mode) shot.tube.mode = parse_mode(*request.mode);
-  shot.aspect = request.aspect;
+  shot.aspect = request.aspect.value_or(shot.tube.glass.aspect);
   shot.size = picture.size.value_or(usual_size(shot.tube.mode.vertical.active, shot.aspect));
   shot.shutter = picture.shutter.value_or(shot.tube.mode.frame_period());
   shot.gain = request.gain;
@@ -72,7 +71,7 @@ DisplayPlan plan_display_film(const Options& options, const PictureFeed::Facts& 
   const DisplayRequest& request = options.display;
   const PictureOptions& picture = options.picture;
   DisplayPlan plan;
-  plan.preset = picture.display.value_or(display_presets().front().name);
+  plan.preset = chosen_tube(picture).name;
   plan.fit = request.fit;
   plan.shot = plan_shot(options);
   plan.shot.signal = facts.signal;

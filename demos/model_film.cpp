@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "demos/displays.h"
+#include "demos/chosen_tube.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -18,9 +18,8 @@ constexpr double kTurnSeconds = 6;  // of a film without --turntable
 }
 
 void plan_display(ModelFilmPlan& plan, const PictureOptions& picture) {
-  const std::string name = picture.display.value_or(std::string(display_presets().front().name));
-  plan.bare = name == "none";
-  plan.tube = (plan.bare ? display_presets().front() : find_display(name)).settings();
+  plan.bare = picture.display == "none";
+  plan.tube = chosen_tube(picture).settings;
   if (plan.bare) {
     plan.size = plan.drawn = picture.size.value_or(Size{1280, 960});
     plan.rate = picture.fps.value_or(Rate{60, 1});

@@ -40,6 +40,7 @@ struct PictureOptions {
   std::optional<Rate> fps;             ///< of a film; none: the display's refresh
   std::optional<Seconds> shutter;      ///< none: one refresh of the display
   std::optional<std::string> display;  ///< a preset, or "none"; none given: the command's default
+  std::vector<std::string> changes;    ///< to it: "spot.sigma=0.2mm"
   int depth_bits = 8;                  ///< of a PNG channel: 8 or 16
 };
 
@@ -76,8 +77,8 @@ struct DisplayRequest {
   std::optional<bool> gun_drive;    ///< whether codes are the guns' signal; none: patterns alone
   std::optional<std::string> mode;  ///< instead of the preset's
   Fit fit = Fit::kInside;
-  double aspect = 4.0 / 3;     ///< width over height of the tube's face
-  std::optional<double> gain;  ///< none: by the shutter's length
+  std::optional<double> aspect;  ///< width over height of the tube's face; none: the preset's
+  std::optional<double> gain;    ///< none: by the shutter's length
   Seconds start{0};
   bool list_presets = false;
 };

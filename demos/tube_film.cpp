@@ -16,7 +16,9 @@ constexpr Seconds kRounding(5e-8);  // no longer than what the camera rounds to 
 
 TubeCamera camera_of(const TubeShot& shot, TubeCamera::Source source, Workers& workers) {
   const Size glass = fit_within(shot.size, shot.aspect);
-  return {shot.tube, glass.width, glass.height, std::move(source), workers, shot.signal};
+  TubeSettings tube = shot.tube;
+  tube.glass.aspect = shot.aspect;
+  return {tube, glass.width, glass.height, std::move(source), workers, shot.signal};
 }
 
 template <typename Pixel>

@@ -7,11 +7,11 @@
 #include "demos/commands/commands.h"
 #include "demos/console.h"
 #include "demos/display_film.h"
-#include "demos/displays.h"
 #include "demos/picture_demo.h"
 #include "demos/progress.h"
 #include "demos/session.h"
 #include "display/presenter.h"
+#include "display/tube/preset.h"
 #include "raster/base/error.h"
 #include "raster/base/simd.h"
 
@@ -21,23 +21,23 @@ namespace {
 std::string presets_as_json() {
   JsonWriter json;
   json.begin_array();
-  for (const DisplayPreset& preset : display_presets()) {
-    json.begin_object().member("name", preset.name).member("mode", preset.mode);
-    json.member("phosphor", preset.phosphor).member("note", preset.note).end_object();
+  for (const TubePreset& preset : tube_presets()) {
+    json.begin_object().member("name", preset.name).member("mode", preset.mode_name);
+    json.member("phosphor", preset.settings.phosphor).member("note", preset.note).end_object();
   }
   return json.end_array().text();
 }
 
 std::string presets_as_table() {
   std::size_t name = 0, mode = 0;
-  for (const DisplayPreset& preset : display_presets()) {
+  for (const TubePreset& preset : tube_presets()) {
     name = std::max(name, preset.name.size());
-    mode = std::max(mode, preset.mode.size());
+    mode = std::max(mode, preset.mode_name.size());
   }
   std::string table;
-  for (const DisplayPreset& p : display_presets()) {
-    table +=
-        fmt::format("{:{}}  {:{}}  {:4}  {}\n", p.name, name, p.mode, mode, p.phosphor, p.note);
+  for (const TubePreset& p : tube_presets()) {
+    table += fmt::format("{:{}}  {:{}}  {:8}  {}\n", p.name, name, p.mode_name, mode,
+                         p.settings.phosphor, p.note);
   }
   return table;
 }

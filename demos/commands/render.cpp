@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "demos/arrange.h"
+#include "demos/chosen_tube.h"
 #include "demos/commands/commands.h"
 #include "demos/console.h"
-#include "demos/displays.h"
 #include "demos/model_demo.h"
 #include "demos/model_film.h"
 #include "demos/progress.h"
@@ -75,9 +75,7 @@ std::string figures(const Options& options, const ModelFilmPlan& plan, const Mod
   json.member("width", plan.size.width).member("height", plan.size.height);
   json.member("samples", options.render.samples).member("threads", workers.count());
   json.member("simd", simd_target());
-  json.member("display", plan.bare
-                             ? std::string("none")
-                             : options.picture.display.value_or(display_presets().front().name));
+  json.member("display", plan.bare ? std::string("none") : chosen_tube(options.picture).name);
   write_frames(json, film);
   film.write_times(json);
   json.member("import_ms", import_ms).member("ms", total_ms);

@@ -57,33 +57,43 @@ class GlassView {
   int width_, height_;
 };
 
+/// A term of the series, its amplitude for each gun; it stands for the pair k, l and -k, -l.
 struct Term {
   int k, l;
-  std::array<std::complex<double>, 3> amplitude;  // of each gun
+  std::array<std::complex<double>, 3> amplitude;
 };
 
-/// The terms that the output resolves around a place; of a pair k, l and -k, -l one with twice the
-/// real part.
-std::vector<Term> resolved_terms(const MaskLattice& lattice, const GlassView& view, double x,
-                                 double y) {
-  const Place left = view.mm(x - 0.5, y), right = view.mm(x + 0.5, y);
-  const Place above = view.mm(x, y - 0.5), below = view.mm(x, y + 0.5);
+std::vector<Term> all_terms(const MaskLattice& lattice) {
   std::vector<Term> terms;
+  const int most_l = lattice.striped() ? 0 : kMostTerms;
   for (int k = 0; k <= kMostTerms; ++k) {
-    const int most_l = lattice.striped() ? 0 : kMostTerms;
     for (int l = k == 0 ? 1 : -most_l; l <= most_l; ++l) {
-      const double fx = k / lattice.period_x(), fy = l / lattice.period_y();
-      const double across = fx * (right.x - left.x) + fy * (right.y - left.y);
-      const double down = fx * (below.x - above.x) + fy * (below.y - above.y);
-      const double amplitude = 2 * lattice.amplitude(k, l) * faded(across, down);
+      const double amplitude = 2 * lattice.amplitude(k, l);
       if (std::abs(amplitude) < 1e-4) continue;
       Term term{k, l, {}};
       for (int gun = 0; gun < 3; ++gun) {
         term.amplitude[static_cast<std::size_t>(gun)] =
-            std::polar(amplitude, -kTwoPi * fx * lattice.offset_mm(gun));
+            std::polar(amplitude, -kTwoPi * k / lattice.period_x() * lattice.offset_mm(gun));
       }
       terms.push_back(term);
     }
+  }
+  return terms;
+}
+
+/// Those that the output resolves around a place, as far as it does.
+std::vector<Term> resolved_terms(const std::vector<Term>& all, const MaskLattice& lattice,
+                                 const GlassView& view, double x, double y) {
+  const Place left = view.mm(x - 0.5, y), right = view.mm(x + 0.5, y);
+  const Place above = view.mm(x, y - 0.5), below = view.mm(x, y + 0.5);
+  std::vector<Term> terms;
+  for (const Term& term : all) {
+    const double fx = term.k / lattice.period_x(), fy = term.l / lattice.period_y();
+    const double seen = faded(fx * (right.x - left.x) + fy * (right.y - left.y),
+                              fx * (below.x - above.x) + fy * (below.y - above.y));
+    if (seen <= 0) continue;
+    terms.push_back(term);
+    for (std::complex<double>& amplitude : terms.back().amplitude) amplitude *= seen;
   }
   return terms;
 }
@@ -168,10 +178,12 @@ ShadowMask::ShadowMask(const MaskSettings& mask, const GlassSettings& glass, int
   }
   const double half_height_mm = 0.5 * glass.diagonal_mm / std::hypot(glass.aspect, 1.0);
   const bool flat = glass.curvature_mm <= 0;
-  std::vector<Term> terms = resolved_terms(lattice, view, 0.5 * width, 0.5 * height);
+  const std::vector<Term> all = all_terms(lattice);
+  std::vector<Term> terms = resolved_terms(all, lattice, view, 0.5 * width, 0.5 * height);
   for (int top = 0; top < height; top += kBlock) {
     for (int left = 0; left < width; left += kBlock) {
-      if (!flat) terms = resolved_terms(lattice, view, left + 0.5 * kBlock, top + 0.5 * kBlock);
+      if (!flat)
+        terms = resolved_terms(all, lattice, view, left + 0.5 * kBlock, top + 0.5 * kBlock);
       for (int y = top; y < std::min(height, top + kBlock); ++y) {
         const Place here = view.mm(left, y), next = view.mm(left, y + 1);
         const double wires = mask.kind == MaskKind::kGrille && mask.wires > 0

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/displays.h"
+#include "display/tube/preset.h"
 
 namespace kinescope {
 namespace {
 
 TubeSettings small_tube() {
-  TubeSettings settings = display_presets().front().settings();
+  TubeSettings settings = tube_presets().front().settings;
   settings.mode = {"small", 360000, {64, 8, 12, 16}, {48, 2, 2, 8}, false};  // 60 Hz
   return settings;
 }

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/displays.h"
 #include "display/light_encode.h"
+#include "display/tube/preset.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -11,7 +11,7 @@ namespace {
 
 TubeShot small_shot() {
   TubeShot shot;
-  shot.tube = display_presets().front().settings();
+  shot.tube = tube_presets().front().settings;
   shot.tube.mode = {"small", 360000, {64, 8, 12, 16}, {48, 2, 2, 8}, false};  // 60 Hz
   shot.size = {64, 48};
   shot.aspect = 4.0 / 3;
