@@ -128,7 +128,7 @@ void Monitor::expose(const Step& step, Workers& workers, Image<Srgb8>& picture, 
   const int left = static_cast<int>(face_.x), top = static_cast<int>(face_.y);
   if (deeds.empty()) {
     const Seconds end = tube_time(step.exposure.end);
-    tube_.photograph(buffer_, end, workers, applied, picture, left, top);
+    tube_.photograph(buffer_, end, workers, {picture, applied, left, top});
     return;
   }
   const Image<LinearRgb>& light = gather(step, workers, deeds);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -54,15 +55,33 @@ struct TubeScratch {
   LayerScratch layer;
   std::vector<GunDrive> drives;
   std::vector<float> voltage, narrow, wide;
+  bool changed = false;  // a line was not what it was a frame ago
+};
+
+class Stopwatch {
+ public:
+  /// ms since the last call.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double, std::milli>(now - std::exchange(began_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 /// What an exposure works in; nothing of it outlives the exposure but the picture handed out, so a
 /// copy of a tube starts with none of it.
 struct TubeWork {
+  std::vector<std::vector<GunDrive>> drives;  // of each line, when it was last read whole
   std::vector<LayerLight> doses;  // of each signal, of each cell's excitation in the window
   std::vector<LayerLight> light;  // of each layer, of the exposure
   Image<LinearRgb> picture;
   std::vector<TubeScratch> scratch;
+  int steady_frames = 0;  // whole ones that passed while no line changed
+  const void* printed = nullptr;
+  float printed_gain = 0;
+  RasterTube::Times times;
 
   TubeWork() = default;
   TubeWork(const TubeWork&) : TubeWork() {}
@@ -71,6 +90,14 @@ struct TubeWork {
   TubeWork& operator=(TubeWork&&) = default;
   ~TubeWork() = default;
 };
+
+/// Frames after which the light of a still picture changes by less than one part in 10^5.
+int frames_to_settle(const Phosphor& phosphor, const RasterScan& scan) {
+  double slowest_s = 0;
+  for (const DecayTerm& term : phosphor.terms) slowest_s = std::max(slowest_s, term.tau.count());
+  const double frames = 11.5 * slowest_s / scan.mode().frame_period().count();
+  return static_cast<int>(std::min(std::ceil(frames) + 1, 1e9));
+}
 
 struct TubeLayer {
   PhosphorLayer phosphor;
@@ -84,7 +111,9 @@ struct RasterTube::State {
 
   void set_size(int new_width, int new_height);
   void prepare(Workers& workers);
-  void gather(FrameBuffer& buffer, Seconds end, Workers& workers);
+  bool gather(FrameBuffer& buffer, Seconds end, Workers& workers);
+  bool is_steady(BeamTime length);
+  bool reuses_line(const std::vector<GunDrive>& drives, const LineRanges& ranges, int line);
   void read_buffer(FrameBuffer& buffer, BeamTime end, Workers& workers);
   void read_lines(const FrameBuffer& buffer, BeamTime begin, BeamTime end, Workers& workers);
   void read_line(const FrameBuffer& buffer, BeamTime begin, BeamTime end, int line,
@@ -103,6 +132,7 @@ struct RasterTube::State {
   std::vector<Signal> signals;
   std::vector<TubeLayer> layers;
   std::vector<ScreenLayer> screen_layers;
+  int settling_frames = 0;         // until the light of a still picture is steady
   int width = 0, height = 0;       // of the output
   std::shared_ptr<Screen> screen;  // follows from the settings and the size
   TubeWork work;
@@ -116,6 +146,7 @@ RasterTube::State::State(const TubeSettings& s, int new_width, int new_height)
                         : std::vector{Signal::kGrey};
   for (std::size_t i = 0; i < type.layers.size(); ++i) {
     const std::size_t signal = type.colour ? i : 0;
+    settling_frames = std::max(settling_frames, frames_to_settle(type.layers[i], scan));
     layers.push_back({PhosphorLayer(type.layers[i], s.mode.pixel_clock_hz,
                                     to_clocks(scan.frame_clocks()), cells(), lines()),
                       signal});
@@ -138,6 +169,7 @@ void RasterTube::State::prepare(Workers& workers) {
   };
   resize(work.doses, signals.size());
   resize(work.light, layers.size());
+  work.drives.resize(static_cast<std::size_t>(lines()));
   const std::size_t n = static_cast<std::size_t>(cells());
   work.scratch.resize(static_cast<std::size_t>(workers.count()));
   for (TubeScratch& s : work.scratch) {
@@ -187,6 +219,8 @@ void RasterTube::State::read_line(const FrameBuffer& buffer, BeamTime begin, Bea
   } else {
     buffer.read_line(line, s.drives);
   }
+  if (reuses_line(s.drives, ranges, line)) return;
+  s.changed = true;
   for (std::size_t signal = 0; signal < signals.size(); ++signal) {
     gun.doses(s.drives, signals[signal], s.voltage, s.narrow.data(), s.wide.data());
     for (const CellRange& range : ranges.range) {
@@ -198,6 +232,22 @@ void RasterTube::State::read_line(const FrameBuffer& buffer, BeamTime begin, Bea
                 doses.wide.line(line) + range.begin);
     }
   }
+}
+
+/// Whether a line that the beam meets whole is what it was: then its doses are too.
+bool RasterTube::State::reuses_line(const std::vector<GunDrive>& drives, const LineRanges& ranges,
+                                    int line) {
+  std::vector<GunDrive>& last = work.drives[static_cast<std::size_t>(line)];
+  const auto whole = [&](const CellRange& r) {
+    return r.excited && r.begin == 0 && r.end == cells();
+  };
+  if (std::none_of(std::begin(ranges.range), std::end(ranges.range), whole)) {
+    last.clear();
+    return false;
+  }
+  if (last == drives) return true;
+  last = drives;
+  return false;
 }
 
 void RasterTube::State::pass_line(BeamTime end, int line, bool first, TubeScratch& s) {
@@ -228,18 +278,35 @@ void RasterTube::State::pass_window(BeamTime end, Workers& workers) {
   });
 }
 
-/// The light of every cell in [now, end).
-void RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& workers) {
+/// Whether another frame of what was shown for so long that its light is steady has been read.
+bool RasterTube::State::is_steady(BeamTime length) {
+  bool changed = length != scan.frame_clocks();
+  for (TubeScratch& s : work.scratch) changed |= std::exchange(s.changed, false);
+  work.steady_frames = changed ? 0 : work.steady_frames + 1;
+  return work.steady_frames > settling_frames;
+}
+
+/// The light of every cell in [now, end). @return whether it differs from the last exposure's
+bool RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& workers) {
   const BeamTime until = scan.clock().at(end);
   assert(until >= now);
   prepare(workers);
+  work.times = {};
+  Stopwatch watch;
   fresh = true;
   do {
     const BeamTime cut = std::min(until, now + scan.frame_clocks());
     read_buffer(buffer, cut, workers);
+    work.times.guns += watch.lap();
+    if (is_steady(until - now)) {
+      now = cut;
+      return false;
+    }
     pass_window(cut, workers);
     now = cut;
+    work.times.phosphor += watch.lap();
   } while (now < until);
+  return true;
 }
 
 RasterTube::RasterTube(const TubeSettings& settings, int width, int height)
@@ -259,24 +326,38 @@ Seconds RasterTube::now() const { return state_->scan.clock().seconds(state_->no
 
 void RasterTube::reset() {
   state_->now = BeamTime();
+  state_->work.steady_frames = 0;
   for (TubeLayer& layer : state_->layers) layer.phosphor.darken();
 }
 
 void RasterTube::resize(int width, int height) { state_->set_size(width, height); }
 
+const RasterTube::Times& RasterTube::times() const { return state_->work.times; }
+
 const Image<LinearRgb>& RasterTube::expose(FrameBuffer& buffer, Seconds end, Workers& workers) {
   State& s = *state_;
   s.gather(buffer, end, workers);
-  s.screen->show(s.work.light, workers, false, s.work.picture);
+  Stopwatch watch;
+  s.work.times.glow = s.screen->show(s.work.light, workers, false, s.work.picture);
+  s.work.times.glass = watch.lap() - s.work.times.glow;
   return s.work.picture;
 }
 
-void RasterTube::photograph(FrameBuffer& buffer, Seconds end, Workers& workers, float gain,
-                            Image<Srgb8>& out, int left, int top) {
+bool RasterTube::photograph(FrameBuffer& buffer, Seconds end, Workers& workers,
+                            const Print& print) {
   State& s = *state_;
-  assert(out.contains(left, top) && out.contains(left + s.width - 1, top + s.height - 1));
-  s.gather(buffer, end, workers);
-  s.screen->photograph(s.work.light, workers, gain, out, left, top);
+  assert(print.out.contains(print.left, print.top) &&
+         print.out.contains(print.left + s.width - 1, print.top + s.height - 1));
+  const bool changed = s.gather(buffer, end, workers);
+  const void* const place = print.out.row(print.top) + print.left;
+  const bool same = std::exchange(s.work.printed, place) == place &&
+                    std::exchange(s.work.printed_gain, print.gain) == print.gain;
+  if (!changed && same && print.kept) return false;
+  Stopwatch watch;
+  s.work.times.glow =
+      s.screen->photograph(s.work.light, workers, print.gain, print.out, print.left, print.top);
+  s.work.times.glass = watch.lap() - s.work.times.glow;
+  return true;
 }
 
 }  // namespace kinescope

@@ -40,10 +40,23 @@ class RasterTube {
   /// @return valid until the next call
   const Image<LinearRgb>& expose(FrameBuffer& buffer, Seconds end, Workers& workers);
 
-  /// The same light times `gain`, encoded into `out` with its upper left corner at (left, top);
-  /// faster, for the light itself is never stored.
-  void photograph(FrameBuffer& buffer, Seconds end, Workers& workers, float gain, Image<Srgb8>& out,
-                  int left = 0, int top = 0);
+  /// Where photograph() puts a picture, and what it may rely on.
+  struct Print {
+    Image<Srgb8>& out;
+    float gain = 1;
+    int left = 0, top = 0;  ///< of its upper left corner in `out`
+    bool kept = false;      ///< whether `out` still holds what the last call left there
+  };
+  /// The same light times the gain, encoded; faster, for the light itself is never stored.
+  /// Refreshes of a picture that does not change cost next to nothing once its light is steady.
+  /// @return whether it drew; if not, `out` holds the very picture already
+  bool photograph(FrameBuffer& buffer, Seconds end, Workers& workers, const Print& print);
+
+  /// What the last exposure spent where, ms.
+  struct Times {
+    double guns = 0, phosphor = 0, glow = 0, glass = 0;
+  };
+  const Times& times() const;
 
  private:
   struct State;

@@ -1,6 +1,7 @@
 #include "display/tube/screen.h"
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <variant>
 
@@ -29,7 +30,8 @@ using Finish = std::function<void(const FinishRow&, int x, int y, int n)>;
 
 struct Screen::State {
   State(const TubeSettings& s, std::span<const ScreenLayer> its_layers, int w, int h);
-  void draw(std::span<const LayerLight> light, Workers& workers, float gain, const Finish& finish);
+  double draw(std::span<const LayerLight> light, Workers& workers, float gain,
+              const Finish& finish);
   void draw_tile(std::span<const LayerLight> light, Scratch& s, int x, int top, float gain,
                  const Finish& finish) const;
   FinishRow finish_row(float gain) const;
@@ -111,16 +113,19 @@ void Screen::State::draw_tile(std::span<const LayerLight> light, Scratch& s, int
   }
 }
 
-void Screen::State::draw(std::span<const LayerLight> light, Workers& workers, float gain,
-                         const Finish& finish) {
+double Screen::State::draw(std::span<const LayerLight> light, Workers& workers, float gain,
+                           const Finish& finish) {
   scratch.resize(static_cast<std::size_t>(workers.count()));
+  const auto began = std::chrono::steady_clock::now();
   halation.gather(light, mask.one(), workers);
+  const std::chrono::duration<double, std::milli> glow = std::chrono::steady_clock::now() - began;
   const int across = (width + tile_columns - 1) / tile_columns;
   const int down = (height + kTileRows - 1) / kTileRows;
   workers.run(across * down, [&](int task, int worker) {
     draw_tile(light, scratch[static_cast<std::size_t>(worker)], task % across * tile_columns,
               task / across * kTileRows, gain, finish);
   });
+  return glow.count();
 }
 
 Screen::Screen(const TubeSettings& settings, std::span<const ScreenLayer> layers, int width,
@@ -130,19 +135,19 @@ Screen::~Screen() = default;
 Screen::Screen(Screen&&) noexcept = default;
 Screen& Screen::operator=(Screen&&) noexcept = default;
 
-void Screen::show(std::span<const LayerLight> light, Workers& workers, bool add,
-                  Image<LinearRgb>& out) {
+double Screen::show(std::span<const LayerLight> light, Workers& workers, bool add,
+                    Image<LinearRgb>& out) {
   if (out.width() != state_->width || out.height() != state_->height) {
     out = Image<LinearRgb>(state_->width, state_->height);
   }
-  state_->draw(light, workers, 1, [&](const FinishRow& row, int x, int y, int n) {
+  return state_->draw(light, workers, 1, [&](const FinishRow& row, int x, int y, int n) {
     finish_light(row, n, add, out.row(y) + x);
   });
 }
 
-void Screen::photograph(std::span<const LayerLight> light, Workers& workers, float gain,
-                        Image<Srgb8>& out, int left, int top) {
-  state_->draw(light, workers, gain, [&](const FinishRow& row, int x, int y, int n) {
+double Screen::photograph(std::span<const LayerLight> light, Workers& workers, float gain,
+                          Image<Srgb8>& out, int left, int top) {
+  return state_->draw(light, workers, gain, [&](const FinishRow& row, int x, int y, int n) {
     finish_encoded(row, n, out.row(top + y) + left + x);
   });
 }

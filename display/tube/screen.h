@@ -30,10 +30,11 @@ class Screen {
 
   /// The light of every output pixel; white over one refresh is 1.
   /// @param add to what `out` holds; else it is given the screen's size and overwritten
-  void show(std::span<const LayerLight> light, Workers& workers, bool add, Image<LinearRgb>& out);
+  /// @return ms of it that halation took
+  double show(std::span<const LayerLight> light, Workers& workers, bool add, Image<LinearRgb>& out);
   /// The same times `gain`, encoded, into `out` with its upper left corner at (left, top).
-  void photograph(std::span<const LayerLight> light, Workers& workers, float gain,
-                  Image<Srgb8>& out, int left, int top);
+  double photograph(std::span<const LayerLight> light, Workers& workers, float gain,
+                    Image<Srgb8>& out, int left, int top);
 
  private:
   struct State;

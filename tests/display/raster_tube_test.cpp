@@ -390,6 +390,35 @@ TEST(RasterTube, APhotographAtOne4000thShowsAboutFourLines) {
   EXPECT_NEAR(lines, 3.9, 0.9);
 }
 
+TEST(RasterTube, AStillPictureIsDrawnOnceAndStaysExact) {
+  const VideoMode mode = tiny_mode();
+  FrameBuffer buffer = buffer_for(mode);
+  fill_random(buffer, 0, 4);
+  RasterTube tube({mode}, 20, 20);
+  Workers workers(2);
+  Image<Srgb8> out(20, 20), again(20, 20);
+  int drawn = 0, frame = 1;
+  for (; frame <= 60; ++frame) {
+    drawn += tube.photograph(buffer, frame * mode.frame_period(), workers, {out, 1, 0, 0, true});
+  }
+  EXPECT_LT(drawn, 40);
+  EXPECT_GT(drawn, 2);
+  EXPECT_FALSE(
+      tube.photograph(buffer, frame++ * mode.frame_period(), workers, {out, 1, 0, 0, true}));
+  // Elsewhere, or no longer kept, it is drawn again, and alike.
+  EXPECT_TRUE(tube.photograph(buffer, frame++ * mode.frame_period(), workers, {again}));
+  EXPECT_EQ(again, out);
+  // A change shows at once; and what was skipped is missed by no later exposure.
+  RasterTube other({mode}, 20, 20);
+  for (int i = 1; i < frame; ++i) other.expose(buffer, i * mode.frame_period(), workers);
+  buffer.set_pixel(0, 5, 5, 0xffffff);
+  const Image<LinearRgb> want = other.expose(buffer, (frame + 0.3) * mode.frame_period(), workers);
+  const Image<LinearRgb>& got = tube.expose(buffer, (frame + 0.3) * mode.frame_period(), workers);
+  for (std::size_t i = 0; i < want.pixels().size(); ++i) {
+    ASSERT_NEAR(got.pixels()[i].g, want.pixels()[i].g, 3e-5) << i;
+  }
+}
+
 TEST(RasterTube, RefusesWhatIsNoTube) {
   EXPECT_THROW(RasterTube({tiny_mode(), "P99"}, 8, 8), Error);
   VideoMode broken = tiny_mode();
