@@ -32,14 +32,16 @@ CurvedRaster::CurvedRaster(const TubeSettings& settings, const SpotModel& spot, 
   const double down = kPixelVariance + line_blur_variance(pitch) / (pitch * pitch);
   const float narrow = with_variance(spot.narrow_mm() * y, down);
   const float wide = with_variance(spot.wide_mm() * y, down);
-  down_.lines_a_pixel = static_cast<float>(pitch);
-  down_.narrow_pixels = narrow;
-  down_.wide_pixels = wide;
-  down_.narrow_sharpness = 1 / (narrow * narrow);
-  down_.wide_sharpness = 1 / (wide * wide);
+  grid_.lines_a_pixel = static_cast<float>(pitch);
+  grid_.narrow_pixels = narrow;
+  grid_.wide_pixels = wide;
   // So that no weight falls below 2^-126: a deviation is at least a fifth of a line.
-  down_.least_pitch = 0.2f / narrow;
-  down_.ring_mask = map_.ring_lines - 1;
+  grid_.least_pitch = 0.2f / narrow;
+}
+
+bool CurvedRaster::shares_lines_with(const CurvedRaster& other) const {
+  return std::equal(map_.line.begin(), map_.line.end(), other.map_.line.begin(),
+                    [](float a, float b) { return std::abs(a - b) < 0.01f; });
 }
 
 std::ptrdiff_t CurvedRaster::ring_at(const SpreadRing& ring, int line) const {
@@ -51,6 +53,9 @@ void CurvedRaster::begin_tile(SpreadRing& ring, int x, int groups) const {
   ring.narrow.resize(std::max(ring.narrow.size(), floats));
   ring.wide.resize(std::max(ring.wide.size(), floats));
   ring.grid_row = -1;
+  ring.base.resize(static_cast<std::size_t>(groups));
+  ring.narrow_weight.resize(static_cast<std::size_t>(groups * kLineTaps * kGroup));
+  ring.wide_weight.resize(ring.narrow_weight.size());
   ring.x = x;
   ring.groups = groups;
   ring.next_line = -lines_;
@@ -83,15 +88,18 @@ void CurvedRaster::spread_row(const LayerLight& light, SpreadRing& ring, int y, 
     ring.next_line = std::max(ring.next_line, first);
     for (; ring.next_line <= last; ++ring.next_line) spread_line(light, ring, ring.next_line);
   }
-  DownCurve curve = down_;
-  curve.above = above;
-  curve.below = below;
-  curve.share = static_cast<float>(y - j * kGroup) * (1.0f / kGroup);
-  curve.groups = ring.groups;
-  curve.narrow_ring = ring.narrow.data();
-  curve.wide_ring = ring.wide.data();
-  curve.ring_pitch = ring.groups * kGroup;
-  spread_down_curve(curve, out);
+  if (!ring.lines_of) {
+    LineGrid grid = grid_;
+    grid.above = above;
+    grid.below = below;
+    grid.share = static_cast<float>(y - j * kGroup) * (1.0f / kGroup);
+    grid.groups = ring.groups;
+    find_line_weights(grid, ring.base.data(), ring.narrow_weight.data(), ring.wide_weight.data());
+  }
+  const SpreadRing& lines = ring.lines_of ? *ring.lines_of : ring;
+  spread_down_curve(
+      ring.groups, {lines.base.data(), lines.narrow_weight.data(), lines.wide_weight.data()},
+      {ring.narrow.data(), ring.wide.data(), map_.ring_lines - 1, ring.groups * kGroup}, out);
 }
 
 }  // namespace kinescope

@@ -25,7 +25,12 @@ struct SpreadRing {
   std::vector<float> narrow, wide;
   int x = 0, groups = 0;  ///< the tile's first column, and its columns in groups
   int next_line = 0;
-  int grid_row = 0;  ///< of a curved raster's map: the one that has its lines
+  // Of a curved raster: its map's row that has its lines; and the weights of those of one output
+  // row, its own or another raster's whose lines lie alike.
+  int grid_row = 0;
+  std::vector<int> base;
+  std::vector<float> narrow_weight, wide_weight;
+  const SpreadRing* lines_of = nullptr;
 };
 
 class StraightRaster {
@@ -52,6 +57,8 @@ class CurvedRaster {
   static constexpr int kTileColumns = 96;
   CurvedRaster(const TubeSettings& settings, const SpotModel& spot, int gun,
                const RasterExtent& extent);
+  /// Whether lines of the two lie within a hundredth of a line of each other.
+  bool shares_lines_with(const CurvedRaster& other) const;
   void begin_tile(SpreadRing& ring, int x, int groups) const;
   void spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const;
 
@@ -63,7 +70,7 @@ class CurvedRaster {
   int cells_, lines_, taps_ = 6;
   float cells_a_pixel_;
   float narrow_across_, wide_across_;  // deviations, pixels
-  DownCurve down_{};                   // what all rows have in common
+  LineGrid grid_{};                    // what all rows have in common
 };
 
 }  // namespace kinescope

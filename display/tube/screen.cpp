@@ -45,6 +45,7 @@ struct Screen::State {
   int width, height;
   int tile_columns;
   std::vector<Raster> rasters;  // a gun each
+  bool lines_alike = false;     // of all guns
   ShadowMask mask;
   Halation halation;
   std::vector<Scratch> scratch;
@@ -65,6 +66,10 @@ Screen::State::State(const TubeSettings& s, std::span<const ScreenLayer> its_lay
       rasters.emplace_back(std::in_place_type<CurvedRaster>, s, spot, gun, extent);
     }
   }
+  const auto* first = std::get_if<CurvedRaster>(&rasters.front());
+  lines_alike = first && std::all_of(rasters.begin(), rasters.end(), [&](const Raster& r) {
+                  return first->shares_lines_with(std::get<CurvedRaster>(r));
+                });
   if (guns == 3) mask = ShadowMask(s.mask, s.glass, w, h);
   halation = Halation(s, w, h);
 }
@@ -98,6 +103,7 @@ void Screen::State::draw_tile(std::span<const LayerLight> light, Scratch& s, int
     s.row[layer].resize(static_cast<std::size_t>(tile_columns));
     std::visit([&](const auto& raster) { raster.begin_tile(s.ring[layer], x, groups); },
                raster_of(layer));
+    s.ring[layer].lines_of = lines_alike && layer > 0 ? &s.ring[0] : nullptr;
   }
   FinishRow row = finish_row(gain);
   for (int y = top; y < std::min(height, top + kTileRows); ++y) {

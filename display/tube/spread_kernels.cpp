@@ -170,12 +170,15 @@ void DownBy(int groups, int any_taps, const float* const* narrow_rows,
             const float* const* wide_rows, const float* narrow_weight, const float* wide_weight,
             float* out) {
   const int taps = kTaps > 0 ? kTaps : any_taps;
+  // In registers: what is stored might alias them.
+  Pair weight[kTaps > 0 ? kTaps : 64];
+  for (int t = 0; t < taps; ++t) weight[t] = {set(narrow_weight[t]), set(wide_weight[t])};
   for (int x = 0; x < groups * kGroup; x += lanes()) {
     Pair sum{kAdd ? hn::LoadU(d, out + x) : hn::Zero(d), hn::Zero(d)};
 #pragma GCC unroll 6
     for (int t = 0; t < taps; ++t) {
-      sum.narrow = hn::MulAdd(set(narrow_weight[t]), hn::LoadU(d, narrow_rows[t] + x), sum.narrow);
-      sum.wide = hn::MulAdd(set(wide_weight[t]), hn::LoadU(d, wide_rows[t] + x), sum.wide);
+      sum.narrow = hn::MulAdd(weight[t].narrow, hn::LoadU(d, narrow_rows[t] + x), sum.narrow);
+      sum.wide = hn::MulAdd(weight[t].wide, hn::LoadU(d, wide_rows[t] + x), sum.wide);
     }
     hn::StoreU(hn::Add(sum.narrow, sum.wide), d, out + x);
   }
@@ -200,43 +203,60 @@ void SpreadDown(int groups, int taps, const float* const* narrow_rows,
   }
 }
 
-void SpreadDownCurve(const DownCurve& curve, float* out) {
+void FindLineWeights(const LineGrid& grid, int* base_out, float* narrow_out, float* wide_out) {
   constexpr float kLog2E = 1.44269504f, kInverseRoot2Pi = 0.39894228f;
   const Floats ramp = hn::Iota(d, 0);
   const auto line_at = [&](int node) {
-    return curve.above[node] + curve.share * (curve.below[node] - curve.above[node]);
+    return grid.above[node] + grid.share * (grid.below[node] - grid.above[node]);
   };
+  // Gaussians are as bright as they are narrow, lines as they are wide apart.
+  const Floats narrow_height = set(kInverseRoot2Pi / (grid.lines_a_pixel * grid.narrow_pixels));
+  const Floats wide_height = set(kInverseRoot2Pi / (grid.lines_a_pixel * grid.wide_pixels));
   float from = line_at(0);
-  for (int group = 0; group < curve.groups; ++group) {
+  for (int group = 0; group < grid.groups; ++group) {
     const float to = line_at(group + 1);
-    const float fall = (curve.below[group] - curve.above[group]) +
-                       (curve.below[group + 1] - curve.above[group + 1]);
-    const float pitch = std::max(fall * (0.5f / kGroup), curve.least_pitch);
-    const float lines = 1 / pitch;
-    // The narrow Gaussian's brightness is taken into the wide one's sum, and both at the end.
-    const float brightness = kInverseRoot2Pi / (curve.lines_a_pixel * curve.narrow_pixels);
-    const float narrow_fall = -0.5f * kLog2E * lines * lines * curve.narrow_sharpness;
-    const float wide_fall = -0.5f * kLog2E * lines * lines * curve.wide_sharpness;
+    const float fall =
+        (grid.below[group] - grid.above[group]) + (grid.below[group + 1] - grid.above[group + 1]);
+    const float pitch = std::max(fall * (0.5f / kGroup), grid.least_pitch);
+    const float lines = -0.5f * kLog2E / (pitch * pitch);
+    const Floats narrow_fall = set(lines / (grid.narrow_pixels * grid.narrow_pixels));
+    const Floats wide_fall = set(lines / (grid.wide_pixels * grid.wide_pixels));
     const int base = static_cast<int>(std::floor(0.5f * (from + to) - 0.5f * kLineTaps + 1.0f));
+    base_out[group] = base;
     for (int x = 0; x < kGroup; x += lanes()) {
       Floats away =
           hn::MulAdd(set((to - from) * (1.0f / kGroup)), hn::Add(ramp, set(static_cast<float>(x))),
                      set(from - static_cast<float>(base)));
-      Pair sum{hn::Zero(d), hn::Zero(d)};
 #pragma GCC unroll 4
       for (int t = 0; t < kLineTaps; ++t, away = hn::Sub(away, set(1.0f))) {
-        const int row = ((base + t) & curve.ring_mask) * curve.ring_pitch + group * kGroup + x;
+        const int at = (group * kLineTaps + t) * kGroup + x;
         const Floats q = hn::Mul(away, away);
-        sum.narrow = hn::MulAdd(exp2_below(hn::Mul(q, set(narrow_fall))),
-                                hn::LoadU(d, curve.narrow_ring + row), sum.narrow);
-        sum.wide = hn::MulAdd(exp2_below(hn::Mul(q, set(wide_fall))),
-                              hn::LoadU(d, curve.wide_ring + row), sum.wide);
+        hn::StoreU(hn::Mul(exp2_below(hn::Mul(q, narrow_fall)), narrow_height), d, narrow_out + at);
+        hn::StoreU(hn::Mul(exp2_below(hn::Mul(q, wide_fall)), wide_height), d, wide_out + at);
       }
-      const Floats both =
-          hn::MulAdd(sum.wide, set(curve.narrow_pixels / curve.wide_pixels), sum.narrow);
-      hn::StoreU(hn::Mul(both, set(brightness)), d, out + group * kGroup + x);
     }
     from = to;
+  }
+}
+
+void SpreadDownCurve(int groups, const LineWeights& weights, const LineRing& ring, float* out) {
+  for (int group = 0; group < groups; ++group) {
+    int row[kLineTaps];
+    for (int t = 0; t < kLineTaps; ++t) {
+      row[t] = ((weights.base[group] + t) & ring.mask) * ring.pitch + group * kGroup;
+    }
+    for (int x = 0; x < kGroup; x += lanes()) {
+      Pair sum{hn::Zero(d), hn::Zero(d)};
+#pragma GCC unroll 4
+      for (int t = 0; t < kLineTaps; ++t) {
+        const int at = (group * kLineTaps + t) * kGroup + x;
+        sum.narrow = hn::MulAdd(hn::LoadU(d, weights.narrow + at),
+                                hn::LoadU(d, ring.narrow + row[t] + x), sum.narrow);
+        sum.wide = hn::MulAdd(hn::LoadU(d, weights.wide + at), hn::LoadU(d, ring.wide + row[t] + x),
+                              sum.wide);
+      }
+      hn::StoreU(hn::Add(sum.narrow, sum.wide), d, out + group * kGroup + x);
+    }
   }
 }
 
@@ -251,6 +271,7 @@ namespace kinescope {
 HWY_EXPORT(SpreadAcross);
 HWY_EXPORT(SpreadAcrossCurve);
 HWY_EXPORT(SpreadDown);
+HWY_EXPORT(FindLineWeights);
 HWY_EXPORT(SpreadDownCurve);
 
 void spread_across(const AcrossTable& table, CellRows cells, SpreadRows out) {
@@ -265,8 +286,12 @@ void spread_down(int groups, int taps, const float* const* narrow_rows,
   HWY_DYNAMIC_DISPATCH(SpreadDown)
   (groups, taps, narrow_rows, wide_rows, narrow_weight, wide_weight, add, out);
 }
-void spread_down_curve(const DownCurve& curve, float* out) {
-  HWY_DYNAMIC_DISPATCH(SpreadDownCurve)(curve, out);
+void find_line_weights(const LineGrid& grid, int* base, float* narrow, float* wide) {
+  HWY_DYNAMIC_DISPATCH(FindLineWeights)(grid, base, narrow, wide);
 }
+void spread_down_curve(int groups, const LineWeights& weights, const LineRing& ring, float* out) {
+  HWY_DYNAMIC_DISPATCH(SpreadDownCurve)(groups, weights, ring, out);
+}
+
 }  // namespace kinescope
 #endif  // HWY_ONCE

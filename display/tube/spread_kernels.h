@@ -46,8 +46,8 @@ void spread_down(int groups, int taps, const float* const* narrow_rows,
                  const float* const* wide_rows, const float* narrow_weight,
                  const float* wide_weight, bool add, float* out);
 
-/// Where a row of columns lies among curved lines, and the lines spread so far, in a ring.
-struct DownCurve {
+/// Where a row of columns lies among curved lines.
+struct LineGrid {
   /// Lines at the nodes of the grid's rows above and below, a whole number being the middle of a
   /// line; and how far down between the two, which lie kGroup rows apart.
   const float *above, *below;
@@ -55,12 +55,20 @@ struct DownCurve {
   int groups;
   float least_pitch;    ///< lines a row: the raster is nowhere stretched further than that
   float lines_a_pixel;  ///< the mean, of which the light of white is 1
-  float narrow_pixels, wide_pixels;        ///< standard deviations
-  float narrow_sharpness, wide_sharpness;  ///< 1 / their squares
-  const float* narrow_ring;                ///< line l at (l & ring_mask) * ring_pitch
-  const float* wide_ring;
-  int ring_mask, ring_pitch;
+  float narrow_pixels, wide_pixels;  ///< standard deviations
 };
-void spread_down_curve(const DownCurve& curve, float* out);
+/// Of each group: its first line, and the weights of kLineTaps lines, kGroup columns each.
+struct LineWeights {
+  const int* base;
+  const float *narrow, *wide;
+};
+void find_line_weights(const LineGrid& grid, int* base, float* narrow, float* wide);
+
+/// Lines spread across columns: line l at (l & mask) * pitch.
+struct LineRing {
+  const float *narrow, *wide;
+  int mask, pitch;
+};
+void spread_down_curve(int groups, const LineWeights& weights, const LineRing& ring, float* out);
 
 }  // namespace kinescope
