@@ -13,6 +13,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/tile_blocks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -138,7 +139,7 @@ HWY_INLINE void set_vectors(const LaneParts<kSamples>& parts, TriangleInTile<kSa
   const I i;
   in.vectors = vectors_of(*in.record);
   for (std::size_t e = 0; e < 3; ++e) {
-    in.down[e] = hn::Mul(hn::Iota(i, 0), hn::Set(i, in.edge[e].step_y));
+    in.down[e] = hn::Mul(lane_numbers(i), hn::Set(i, in.edge[e].step_y));
     for (const SampleLanes<kSamples>& lanes : parts.part) {
       const VI columns = hn::Mul(lanes.column, hn::Set(i, in.edge[e].step_x));
       in.corner[e][lanes.part] = hn::Add(in_lanes(in.edge[e].start.data(), lanes), columns);
@@ -272,8 +273,8 @@ template <int kSamples>
 HWY_INLINE BlockBits classify(const TriangleInTile<kSamples>& in, int column, int row) {
   const I i;
   VI least = hn::Zero(i), most = hn::Zero(i);  // negative if one edge's is
-  const VI columns = hn::Iota(i, column * kBlock);
-  const VI in_block = hn::Mul(hn::Iota(i, 0), hn::Set(i, kBlock - 1));
+  const VI columns = lanes_from(i, column * kBlock);
+  const VI in_block = hn::Mul(lane_numbers(i), hn::Set(i, kBlock - 1));
   for (const TileEdge<kSamples>& e : in.edge) {
     const std::int32_t across = e.step_x * (kBlock - 1), down = e.step_y * (kBlock - 1);
     const VI corner = hn::Add(hn::Mul(hn::Add(columns, in_block), hn::Set(i, e.step_x)),
