@@ -79,12 +79,14 @@ HWY_INLINE void write(const Share& s, const Value& value, T* const (&to)[kArrays
   const hn::Rebind<T, F> d;
   for (std::size_t v = s.first; v < s.fresh; ++v) {
     const auto owned = hn::RebindMask(d, s.owned[v]);
+    HWY_UNROLL(4)
     for (std::size_t n = 0; n < kArrays; ++n) {
       T* const at = to[n] + v * kLanes;
       hn::Store(hn::IfThenElse(owned, value(v, n), hn::Load(d, at)), d, at);
     }
   }
   for (std::size_t v = s.fresh; v < s.end; ++v) {
+    HWY_UNROLL(4)
     for (std::size_t n = 0; n < kArrays; ++n) hn::Store(value(v, n), d, to[n] + v * kLanes);
   }
 }
@@ -96,6 +98,7 @@ HWY_INLINE void write_attributes(const Share& s, const std::size_t* index, std::
   const F f;
   hn::Vec<F> base[kCount], rise1[kCount], rise2[kCount];
   float* to[kCount];
+  HWY_UNROLL(4)
   for (std::size_t n = 0; n < kCount; ++n) {
     base[n] = hn::Set(f, batch.planes.attribute[0][index[n]][s.triangle]);
     rise1[n] = hn::Set(f, batch.planes.attribute[1][index[n]][s.triangle]);

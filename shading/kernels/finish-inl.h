@@ -24,7 +24,7 @@ class Finish {
       : opacity_(surface.material.opacity),
         textured_(surface.texture != nullptr && surface.texture->levels() > 0),
         out_(&out->r) {
-    if (textured_) look_up(*surface.texture, batch, texcoord, texels_);
+    if (textured_) look_up(*surface.texture, batch, texcoord, texels_.of);
   }
 
   HWY_INLINE void operator()(int i, const Vec3& body, const Vec3& highlight) const {
@@ -34,7 +34,7 @@ class Finish {
     if (textured_) {
       Vec3 texel;
       Vec texel_alpha;
-      hn::LoadInterleaved4(d, &texels_[i].r, texel.x, texel.y, texel.z, texel_alpha);
+      hn::LoadInterleaved4(d, &texels_.of[i].r, texel.x, texel.y, texel.z, texel_alpha);
       colour = mul(body, texel);
       alpha = hn::Mul(alpha, texel_alpha);
     }
@@ -46,7 +46,11 @@ class Finish {
   float opacity_;
   bool textured_;
   float* out_;
-  HWY_ALIGN LinearRgba texels_[Batch::kMaxSize];
+  /// Of a texture only: not worth clearing for each batch.
+  union Texels {
+    Texels() {}
+    HWY_ALIGN LinearRgba of[Batch::kMaxSize];
+  } texels_;
 };
 
 }  // namespace HWY_NAMESPACE
