@@ -30,6 +30,7 @@ struct WeightPlanes {
   /// that is its run's last.
   alignas(64) Runs<std::int32_t> first_run{};
   Runs<std::uint8_t> run_ends{};
+  std::array<std::uint16_t, 256> place{};  ///< where triangles were put, by their last eight bits
   Runs<std::int32_t> joined{};  ///< of each run as found, where several were joined: the one left
 };
 

@@ -102,27 +102,18 @@ HWY_INLINE std::size_t find_runs(std::size_t size, BatchStorage& batch) {
   return static_cast<std::size_t>(run) + 1;
 }
 
-/// Rows of a block meet the same few triangles again and again: a run whose triangle is that of one
-/// of the last four joins it. @return how many runs are left
+/// Rows of a block, and blocks, meet the same triangles again and again: a run whose triangle had
+/// one before joins it. @return how many runs are left
 HWY_INLINE std::size_t join_runs(std::size_t runs, WeightPlanes& p) {
-  // The last four, in registers: memory written a moment ago would be waited for. No branch asks
-  // whether one of them is it: nobody can predict that.
-  std::uint32_t last0, last1, last2, last3;
-  last0 = last1 = last2 = last3 = TileBuffer::kNothing;
   std::uint32_t count = 0;
   for (std::size_t r = 0; r < runs; ++r) {
     const std::uint32_t triangle = p.triangle[r];
-    const std::uint32_t same = (triangle == last0 ? 1u : 0u) | (triangle == last1 ? 2u : 0u) |
-                               (triangle == last2 ? 4u : 0u) | (triangle == last3 ? 8u : 0u);
-    const auto back = static_cast<std::uint32_t>(std::countr_zero(same));
-    const bool is_new = same == 0;
-    const std::uint32_t at = is_new ? count : count - 1 - back;
-    const std::uint32_t changed = is_new ? ~0u : 0u;
-    last3 ^= (last3 ^ last2) & changed;
-    last2 ^= (last2 ^ last1) & changed;
-    last1 ^= (last1 ^ last0) & changed;
-    last0 ^= (last0 ^ triangle) & changed;
+    std::uint16_t& place = p.place[triangle % p.place.size()];
+    const bool is_new = place >= count || p.triangle[place] != triangle;
+    // No branch: nobody can predict which triangle comes next.
+    const std::uint32_t at = is_new ? count : place;
     p.triangle[at] = triangle;
+    place = static_cast<std::uint16_t>(at);
     p.joined[r] = static_cast<std::int32_t>(at);
     count += is_new ? 1 : 0;
   }
@@ -170,7 +161,7 @@ void Interpolate(const DrawCall& call, int size, BatchStorage& batch) {
   WeightPlanes& p = batch.planes;
   const auto end = static_cast<std::size_t>(size);
   std::size_t runs = find_runs(end, batch);
-  const bool joined = 2 * runs < end;
+  const bool joined = 3 * runs < 2 * end;
   if (joined) runs = join_runs(runs, p);
   set_up_triangles(call, list, 0, runs, p);
   interpolate_all(call, list, end, joined, batch);
