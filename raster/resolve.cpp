@@ -33,6 +33,24 @@ void encode_block(BlockColours in, LinearRgba* out, std::size_t stride) {
   }
 }
 
+void encode_pixel(const LinearRgba& in, Linear8& out) { quantize_row({&in, 1}, {&out, 1}); }
+void encode_pixel(const LinearRgba& in, Srgb8& out) { out = encode_srgb8(in); }
+void encode_pixel(const LinearRgba& in, LinearRgba& out) { out = in; }
+
+/// Copies rows of kSide pixels to those of a rectangle, which may be narrower.
+template <class Pixel>
+void copy_rows(const Pixel* from, const PixelRect& rect, Image<Pixel>& image) {
+  const int columns = rect.x1 - rect.x0;
+  for (int y = rect.y0; y < rect.y1; ++y, from += kSide) {
+    Pixel* const to = image.row(y) + rect.x0;
+    if (columns == kSide) {
+      std::copy_n(from, kSide, to);  // of a length that the compiler knows
+    } else {
+      std::copy_n(from, columns, to);
+    }
+  }
+}
+
 /// The fragments of a block, put together to its 64 pixels.
 void put_together(const VisibleFragments& fragments, std::span<const LinearRgba> colours,
                   std::size_t first, std::size_t end, int samples, const LinearRgba& clear,
@@ -48,18 +66,14 @@ void put_together(const VisibleFragments& fragments, std::span<const LinearRgba>
 /// Writes those of a block's pixels that lie within the target.
 template <class Pixel>
 void write_block(BlockColours colours, const PixelRect& rect, Image<Pixel>& image) {
-  const auto width = static_cast<std::size_t>(image.width());
-  const int columns = rect.x1 - rect.x0;
-  if (columns == kSide && rect.y1 - rect.y0 == kSide) {
-    encode_block(colours, image.row(rect.y0) + rect.x0, width);
+  if (rect.x1 - rect.x0 == kSide && rect.y1 - rect.y0 == kSide) {
+    const auto stride = static_cast<std::size_t>(image.width());
+    encode_block(colours, image.row(rect.y0) + rect.x0, stride);
     return;
   }
   std::array<Pixel, kPixels> codes;
   encode_block(colours, codes.data(), kSide);
-  const Pixel* from = codes.data();
-  for (int y = rect.y0; y < rect.y1; ++y, from += kSide) {
-    std::copy_n(from, columns, image.row(y) + rect.x0);
-  }
+  copy_rows(codes.data(), rect, image);
 }
 
 template <class Pixel>
@@ -67,21 +81,22 @@ void write_blocks(const TileBuffer& tile, const VisibleFragments& fragments,
                   std::span<const LinearRgba> colours, const LinearRgba& clear,
                   Image<Pixel>& image) {
   alignas(64) std::array<LinearRgba, kPixels> linear;
+  std::array<Pixel, kPixels> nothing;
+  encode_pixel(clear, nothing[0]);
+  nothing.fill(nothing[0]);
   for (std::size_t at = 0; at < static_cast<std::size_t>(fragments.blocks); ++at) {
     const PixelRect rect = tile.block_rect(fragments.block[at]);
     if (rect.empty()) continue;
     const auto first = static_cast<std::size_t>(fragments.block_first[at]);
     const auto end = static_cast<std::size_t>(fragments.block_first[at + 1]);
-    if (fragments.block_is_whole[at]) {
-      write_block(BlockColours(colours.data() + first, kPixels), rect, image);
-      continue;
-    }
     if (first == end) {
-      linear.fill(clear);
+      copy_rows(nothing.data(), rect, image);
+    } else if (fragments.block_is_whole[at]) {
+      write_block(BlockColours(colours.data() + first, kPixels), rect, image);
     } else {
       put_together(fragments, colours, first, end, tile.samples, clear, linear);
+      write_block(BlockColours(linear), rect, image);
     }
-    write_block(BlockColours(linear), rect, image);
   }
 }
 

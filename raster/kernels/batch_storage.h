@@ -25,6 +25,8 @@ struct WeightPlanes {
   /// Vertex attributes: the first vertex's, and how much more the second's and third's are.
   using Attributes = std::array<Runs<float>, Batch::kMaxAttributes>;
   alignas(64) std::array<Attributes, 3> attribute{};
+  /// Numerators of du_dx, dv_dx, du_dy, dv_dy where the texture coordinates are 0.
+  alignas(64) std::array<Runs<float>, 4> gradient{};
 
   /// Of each vector of the batch's fragments: the run of its first one, and a bit for each fragment
   /// that is its run's last.

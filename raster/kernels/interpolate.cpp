@@ -23,6 +23,14 @@ struct RunWindow {
     return hn::TableLookupLanes(hn::LoadU(F(), plane.data() + first), within);
   }
 };
+/// The same of twice as many runs.
+struct TwoWindows {
+  RunWindow low, high;
+  hn::Mask<F> in_high;
+  HWY_INLINE hn::Vec<F> operator()(const WeightPlanes::Runs<float>& plane) const {
+    return hn::IfThenElse(in_high, high(plane), low(plane));
+  }
+};
 /// Values of one run.
 struct OneRun {
   std::size_t run;
@@ -68,18 +76,13 @@ HWY_NOINLINE void interpolate_vector(const DrawCall& call, const AttributeList& 
   if (call.cull == CullMode::kNone) hn::Store(of(p.facing), f, batch.facing.data() + k);
   if (call.texcoord_attribute < 0) return;
   const auto uv = static_cast<std::size_t>(call.texcoord_attribute);
-  const auto gradient = [&](V d1, V d2, V dsum, std::size_t out) HWY_ATTR {
-    // The derivative of weight / sum.
-    const V g1 = hn::Mul(inverse, hn::NegMulAdd(w1, dsum, d1));
-    const V g2 = hn::Mul(inverse, hn::NegMulAdd(w2, dsum, d2));
-    for (std::size_t a = 0; a < 2; ++a) {
-      const V value =
-          hn::MulAdd(g2, of(p.attribute[2][uv + a]), hn::Mul(g1, of(p.attribute[1][uv + a])));
-      hn::Store(value, f, batch.gradient[out + a].data() + k);
-    }
-  };
-  gradient(of(p.dx1), of(p.dx2), of(p.dx_sum), 0);
-  gradient(of(p.dy1), of(p.dy2), of(p.dy_sum), 2);
+  for (std::size_t a = 0; a < 2; ++a) {
+    const V place = hn::Load(f, batch.attribute[uv + a].data() + k);
+    const V along_x = hn::NegMulAdd(place, of(p.dx_sum), of(p.gradient[a]));
+    const V along_y = hn::NegMulAdd(place, of(p.dy_sum), of(p.gradient[2 + a]));
+    hn::Store(hn::Mul(inverse, along_x), f, batch.gradient[a].data() + k);
+    hn::Store(hn::Mul(inverse, along_y), f, batch.gradient[2 + a].data() + k);
+  }
 }
 
 /// Finds the runs; returns how many there are.
@@ -120,38 +123,42 @@ HWY_INLINE std::size_t join_runs(std::size_t runs, WeightPlanes& p) {
   return count;
 }
 
+/// A vector of fragments of several runs.
+/// @param run  of each fragment
+HWY_INLINE void interpolate_runs(const DrawCall& call, const AttributeList& list, std::size_t k,
+                                 hn::Vec<I> run, BatchStorage& batch) {
+  const F f;
+  const I i;
+  const auto lanes = static_cast<std::int32_t>(hn::Lanes(i));
+  const std::int32_t least = hn::GetLane(hn::MinOfLanes(i, run));
+  const std::int32_t span = hn::GetLane(hn::MaxOfLanes(i, run)) - least;
+  if (span >= 2 * lanes) return interpolate_vector(call, list, k, AnyRuns{run}, batch);
+  const auto from_least = hn::Sub(run, hn::Set(i, least));
+  const auto within = hn::IndicesFromVec(f, hn::And(from_least, hn::Set(i, lanes - 1)));
+  const RunWindow low{static_cast<std::size_t>(least), within};
+  if (span < lanes) return interpolate_vector(call, list, k, low, batch);
+  const RunWindow high{static_cast<std::size_t>(least + lanes), within};
+  const auto in_high = hn::RebindMask(f, hn::Gt(from_least, hn::Set(i, lanes - 1)));
+  interpolate_vector(call, list, k, TwoWindows{low, high, in_high}, batch);
+}
+
 /// All vectors of fragments, with the planes of their runs.
 HWY_INLINE void interpolate_all(const DrawCall& call, const AttributeList& list, std::size_t size,
-                                bool joined, BatchStorage& batch) {
+                                BatchStorage& batch) {
   const I i;
-  const U u;
-  const hn::Rebind<std::uint8_t, F> u8;
-  const std::size_t lanes = hn::Lanes(u);
+  const hn::Rebind<std::uint8_t, I> u8;
+  const std::size_t lanes = hn::Lanes(i);
   const WeightPlanes& p = batch.planes;
   for (std::size_t k = 0, v = 0; k < size; k += lanes, ++v) {
-    const auto first = static_cast<std::size_t>(p.first_run[v]);
+    const std::int32_t* const joined = p.joined.data() + p.first_run[v];
     const std::uint32_t ends = p.run_ends[v] & ((1u << (lanes - 1)) - 1);
     if (ends == 0) {
-      interpolate_vector(call, list, k,
-                         OneRun{joined ? static_cast<std::size_t>(p.joined[first]) : first}, batch);
+      interpolate_vector(call, list, k, OneRun{static_cast<std::size_t>(joined[0])}, batch);
       continue;
     }
-    const auto within = hn::PromoteTo(u, hn::LoadU(u8, kBitsBefore[ends].data()));
-    if (!joined) {
-      interpolate_vector(call, list, k, RunWindow{first, hn::IndicesFromVec(F(), within)}, batch);
-      continue;
-    }
-    const auto run =
-        hn::TableLookupLanes(hn::LoadU(i, p.joined.data() + first), hn::IndicesFromVec(i, within));
-    const std::int32_t least = hn::GetLane(hn::MinOfLanes(i, run));
-    const std::int32_t most = hn::GetLane(hn::MaxOfLanes(i, run));
-    if (most - least < static_cast<std::int32_t>(lanes)) {
-      const auto from_least = hn::IndicesFromVec(F(), hn::Sub(run, hn::Set(i, least)));
-      interpolate_vector(call, list, k, RunWindow{static_cast<std::size_t>(least), from_least},
-                         batch);
-    } else {
-      interpolate_vector(call, list, k, AnyRuns{run}, batch);
-    }
+    const auto within = hn::PromoteTo(i, hn::LoadU(u8, kBitsBefore[ends].data()));
+    const auto run = hn::TableLookupLanes(hn::LoadU(i, joined), hn::IndicesFromVec(i, within));
+    interpolate_runs(call, list, k, run, batch);
   }
 }
 
@@ -160,11 +167,9 @@ void Interpolate(const DrawCall& call, int size, BatchStorage& batch) {
   if (list.count == 0 && call.cull != CullMode::kNone) return;
   WeightPlanes& p = batch.planes;
   const auto end = static_cast<std::size_t>(size);
-  std::size_t runs = find_runs(end, batch);
-  const bool joined = 3 * runs < 2 * end;
-  if (joined) runs = join_runs(runs, p);
-  set_up_triangles(call, list, 0, runs, p);
-  interpolate_all(call, list, end, joined, batch);
+  const std::size_t triangles = join_runs(find_runs(end, batch), p);
+  set_up_triangles(call, list, 0, triangles, p);
+  interpolate_all(call, list, end, batch);
 }
 
 void UnpackFragments(const std::uint32_t* id, const std::uint32_t* xy, std::uint32_t first_id,

@@ -111,27 +111,22 @@ HWY_INLINE void write_attributes(const Share& s, const std::size_t* index, std::
   write<kCount>(s, value, to);
 }
 
-/// Steps of the texture coordinates: a pixel to the right (axis 0) or down (axis 1).
-HWY_INLINE void write_gradient(const DrawCall& call, const Share& s, std::size_t axis,
-                               std::size_t at, BatchStorage& batch) {
+/// Steps of a texture coordinate, a pixel to the right and a pixel down.
+HWY_INLINE void write_gradients(const DrawCall& call, const Share& s, std::size_t coordinate,
+                                std::size_t at, BatchStorage& batch) {
   const F f;
-  using V = hn::Vec<F>;
   const WeightPlanes& p = batch.planes;
-  const std::size_t t = s.triangle;
-  const auto uv = static_cast<std::size_t>(call.texcoord_attribute);
-  const V d1 = hn::Set(f, (axis == 0 ? p.dx1 : p.dy1)[t]);
-  const V d2 = hn::Set(f, (axis == 0 ? p.dx2 : p.dy2)[t]);
-  const V dsum = hn::Set(f, (axis == 0 ? p.dx_sum : p.dy_sum)[t]);
-  const V rise1[2] = {hn::Set(f, p.attribute[1][uv][t]), hn::Set(f, p.attribute[1][uv + 1][t])};
-  const V rise2[2] = {hn::Set(f, p.attribute[2][uv][t]), hn::Set(f, p.attribute[2][uv + 1][t])};
+  const auto uv = static_cast<std::size_t>(call.texcoord_attribute) + coordinate;
+  const float* const place = batch.attribute[uv].data() + at;
+  const hn::Vec<F> sum[2] = {hn::Set(f, p.dx_sum[s.triangle]), hn::Set(f, p.dy_sum[s.triangle])};
+  const hn::Vec<F> at_zero[2] = {hn::Set(f, p.gradient[coordinate][s.triangle]),
+                                 hn::Set(f, p.gradient[2 + coordinate][s.triangle])};
   const auto value = [&](std::size_t v, std::size_t n) HWY_ATTR {
-    // The derivative of weight / sum.
-    const V g1 = hn::Mul(s.inverse[v], hn::NegMulAdd(s.w1[v], dsum, d1));
-    const V g2 = hn::Mul(s.inverse[v], hn::NegMulAdd(s.w2[v], dsum, d2));
-    return hn::MulAdd(g2, rise2[n], hn::Mul(g1, rise1[n]));
+    const auto u = hn::Load(f, place + v * kLanes);
+    return hn::Mul(s.inverse[v], hn::NegMulAdd(u, sum[n], at_zero[n]));
   };
   write<2>(s, value,
-           {batch.gradient[2 * axis].data() + at, batch.gradient[2 * axis + 1].data() + at});
+           {batch.gradient[coordinate].data() + at, batch.gradient[2 + coordinate].data() + at});
 }
 
 HWY_INLINE void write_share(const DrawCall& call, const AttributeList& list, const Share& s,
@@ -150,8 +145,8 @@ HWY_INLINE void write_share(const DrawCall& call, const AttributeList& list, con
     write<1>(s, of_facing, {batch.facing.data() + at});
   }
   if (call.texcoord_attribute < 0) return;
-  write_gradient(call, s, 0, at, batch);
-  write_gradient(call, s, 1, at, batch);
+  write_gradients(call, s, 0, at, batch);
+  write_gradients(call, s, 1, at, batch);
 }
 
 HWY_INLINE void write_places(const BlockBatch::Block& block, std::size_t at, BatchStorage& batch) {

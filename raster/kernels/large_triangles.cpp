@@ -80,16 +80,18 @@ HWY_INLINE void draw_samples(const TriangleInTile<kSamples>& in, int column, int
     y1 = std::min(y1, in.rect.y1);
   }
   if (y0 >= y1) return;
-  for (int c = column; c < column + kBlock; c += Lanes::kPixels) {
-    const int x = tile.rect.x0 + c;
-    for (const Lanes& lanes : parts.part) {
-      EdgeColumn edge[3];
-      HWY_UNROLL(3)
-      for (std::size_t e = 0; e < 3; ++e) {
-        const std::int32_t rise = in.rise(e, c, y0 - tile.rect.y0);
-        edge[e] = {hn::Add(in.corner[e][lanes.part], hn::Set(i, rise)),
-                   hn::Set(i, in.edge[e].step_y)};
-      }
+  for (const Lanes& lanes : parts.part) {
+    EdgeColumn edge[3];
+    VI step_x[3];  // to the next vector
+    HWY_UNROLL(3)
+    for (std::size_t e = 0; e < 3; ++e) {
+      const std::int32_t rise = in.rise(e, column, y0 - tile.rect.y0);
+      edge[e] = {hn::Add(in.corner[e][lanes.part], hn::Set(i, rise)),
+                 hn::Set(i, in.edge[e].step_y)};
+      step_x[e] = hn::Set(i, in.edge[e].step_x * Lanes::kPixels);
+    }
+    for (int c = column; c < column + kBlock; c += Lanes::kPixels) {
+      const int x = tile.rect.x0 + c;
       VI outside = hn::Zero(i);
       if (in.record->clipped) {
         const VI pixel = hn::Add(lanes.column, hn::Set(i, x));
@@ -97,6 +99,8 @@ HWY_INLINE void draw_samples(const TriangleInTile<kSamples>& in, int column, int
                          hn::Sub(hn::Set(i, in.rect.x1 - 1), pixel));
       }
       draw_column(edge, outside, in.vectors, lanes, x, y0, y1, tile);
+      HWY_UNROLL(3)
+      for (std::size_t e = 0; e < 3; ++e) edge[e].value = hn::Add(edge[e].value, step_x[e]);
     }
   }
 }

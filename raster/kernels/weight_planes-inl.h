@@ -109,7 +109,9 @@ HWY_INLINE hn::Vec<D> load_fours(D d, const float* low, const float* high) {
 
 /// The attributes that are interpolated, a bit each.
 HWY_INLINE std::uint32_t attributes_of(const DrawCall& call) {
-  return call.attributes_read & ((1u << call.attribute_count) - 1);
+  const int uv = call.texcoord_attribute;
+  const std::uint32_t read = call.attributes_read | (uv >= 0 ? 3u << uv : 0u);
+  return read & ((1u << call.attribute_count) - 1);
 }
 
 /// The same as a list.
@@ -175,6 +177,25 @@ HWY_INLINE void set_attributes(const DrawCall& call, const AttributeList& list, 
   }
 }
 
+/// A texture coordinate u is N / S, both planes; its derivative is (N' - u S') / S. N' is that of
+/// the two weights' planes, times the rise to their vertices, and of the sum's, times u at the
+/// first.
+HWY_INLINE void set_gradients(const DrawCall& call, std::size_t k, WeightPlanes& p) {
+  const F f;
+  const auto uv = static_cast<std::size_t>(call.texcoord_attribute);
+  const auto at = [&](const WeightPlanes::Runs<float>& plane)
+                      HWY_ATTR { return hn::LoadU(f, plane.data() + k); };
+  for (std::size_t a = 0; a < 2; ++a) {
+    const auto base = at(p.attribute[0][uv + a]);
+    const auto rise1 = at(p.attribute[1][uv + a]), rise2 = at(p.attribute[2][uv + a]);
+    const auto along = [&](const auto& d1, const auto& d2, const auto& sum) HWY_ATTR {
+      return hn::MulAdd(at(sum), base, hn::MulAdd(at(d2), rise2, hn::Mul(at(d1), rise1)));
+    };
+    hn::StoreU(along(p.dx1, p.dx2, p.dx_sum), f, p.gradient[a].data() + k);
+    hn::StoreU(along(p.dy1, p.dy2, p.dy_sum), f, p.gradient[2 + a].data() + k);
+  }
+}
+
 /// Looks up the vertices of p.triangle[first, end), and asks for what will be read of them: where
 /// triangles are tiny, waiting for memory would be the greatest part of the cost.
 HWY_INLINE void find_vertices(const DrawCall& call, std::size_t first, std::size_t end,
@@ -211,6 +232,7 @@ HWY_INLINE void set_up_triangles(const DrawCall& call, const AttributeList& list
   for (std::size_t k = first; k < end; k += lanes) {
     set_planes(call, k, p);
     set_attributes(call, list, k, p);
+    if (call.texcoord_attribute >= 0) set_gradients(call, k, p);
   }
 }
 

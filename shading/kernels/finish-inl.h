@@ -42,6 +42,26 @@ class Finish {
                           hn::Add(colour.z, highlight.z), alpha, d, out_ + 4 * i);
   }
 
+  /// The same for the first `count` fragments, of one body and highlight. Colours stay as they lie
+  /// in memory.
+  HWY_INLINE void all(int count, glm::vec3 body, glm::vec3 highlight) const {
+    const Floats d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+#if HWY_TARGET == HWY_SCALAR  // has no vectors of four
+    for (int i = 0; i < count; i += lanes) (*this)(i, splat(body), splat(highlight));
+#else
+    alignas(16) const float scales[4] = {body.x, body.y, body.z, opacity_};
+    alignas(16) const float offsets[4] = {highlight.x, highlight.y, highlight.z, 0.0f};
+    const Vec scale = hn::LoadDup128(d, scales), offset = hn::LoadDup128(d, offsets);
+    const Vec plain = hn::Add(scale, offset);
+    for (int k = 0; k < 4 * count; k += lanes) {
+      const Vec colour =
+          textured_ ? hn::Add(hn::Mul(scale, hn::Load(d, &texels_.of[0].r + k)), offset) : plain;
+      hn::StoreU(colour, d, out_ + k);
+    }
+#endif
+  }
+
  private:
   float opacity_;
   bool textured_;
