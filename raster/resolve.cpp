@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <variant>
 
 #include "raster/colour/encode.h"
@@ -44,7 +45,7 @@ void copy_rows(const Pixel* from, const PixelRect& rect, Image<Pixel>& image) {
   for (int y = rect.y0; y < rect.y1; ++y, from += kSide) {
     Pixel* const to = image.row(y) + rect.x0;
     if (columns == kSide) {
-      std::copy_n(from, kSide, to);  // of a length that the compiler knows
+      std::memcpy(to, from, kSide * sizeof(Pixel));  // of a length that the compiler knows
     } else {
       std::copy_n(from, columns, to);
     }
