@@ -11,7 +11,7 @@ namespace kinescope {
 
 /// The few triangles that share a block's 64 pixels among them.
 struct BlockOwners {
-  static constexpr std::size_t kMax = 8;
+  static constexpr std::size_t kMax = 5;
 
   std::size_t size = 0;
   std::array<std::uint32_t, kMax> id;
