@@ -5,17 +5,30 @@
 namespace kinescope {
 namespace {
 
-/// Whether all of a tile's area lies on the outer side of one edge.
-bool misses(const SnappedTriangle& t, const PixelRect& tile) {
-  for (int i = 0; i < 3; ++i) {
-    const int j = i == 2 ? 0 : i + 1;
-    // E grows with x where the edge goes up, and with y where it goes right.
-    const std::int64_t x = std::int64_t{t.y[j] < t.y[i] ? tile.x1 : tile.x0} * 256;
-    const std::int64_t y = std::int64_t{t.x[j] > t.x[i] ? tile.y1 : tile.y0} * 256;
-    if (t.edge(i, x, y) < 0) return true;
+/// The edges at the corner of a tile where each is greatest, stepped from tile to tile: if one is
+/// negative there, the triangle misses the tile.
+struct EdgesOverTiles {
+  using Values = std::array<std::int64_t, 3>;
+  Values first, step_x, step_y;
+
+  EdgesOverTiles(const SnappedTriangle& t, const TileGrid& grid, int column, int row) {
+    const auto raw = [](int px) { return std::int64_t{px} * 256; };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = i == 2 ? 0 : i + 1;
+      const std::int64_t dx = t.x[j] - t.x[i], dy = t.y[j] - t.y[i];
+      // E grows with x where the edge goes up, and with y where it goes right.
+      const std::int64_t x = raw((column + (dy < 0 ? 1 : 0)) * grid.tile_width);
+      const std::int64_t y = raw((row + (dx > 0 ? 1 : 0)) * grid.tile_height);
+      first[i] = t.edge(static_cast<int>(i), x, y);
+      step_x[i] = -dy * raw(grid.tile_width);
+      step_y[i] = dx * raw(grid.tile_height);
+    }
   }
-  return false;
-}
+  static bool any_negative(const Values& e) { return (e[0] | e[1] | e[2]) < 0; }
+  static void advance(const Values& step, Values& e) {
+    for (std::size_t i = 0; i < 3; ++i) e[i] += step[i];
+  }
+};
 
 TriangleRecord record_of(const SnappedTriangle& t, std::uint32_t id, const PixelRect& box) {
   TriangleRecord r;
@@ -58,12 +71,16 @@ bool bin_triangle(const SnappedTriangle& t, std::uint32_t id, std::span<const Sa
   record.clipped = box != whole;
   const int column0 = grid.column_of(box.x0), column1 = grid.column_of(box.x1 - 1);
   const int row0 = grid.row_of(box.y0), row1 = grid.row_of(box.y1 - 1);
-  const bool several = column0 != column1 || row0 != row1;
-  for (int row = row0; row <= row1; ++row) {
+  const EdgesOverTiles edges(t, grid, column0, row0);
+  EdgesOverTiles::Values at_row = edges.first;
+  for (int row = row0; row <= row1; ++row, EdgesOverTiles::advance(edges.step_y, at_row)) {
+    EdgesOverTiles::Values at = at_row;
     for (int column = column0; column <= column1; ++column) {
-      const int tile = row * grid.columns + column;
-      if (several && misses(t, grid.rect(tile))) continue;
-      RecordChunk& chunk = tiles[static_cast<std::size_t>(tile)].tail(pool);
+      const bool misses = EdgesOverTiles::any_negative(at);
+      EdgesOverTiles::advance(edges.step_x, at);
+      if (misses) continue;
+      const auto tile = static_cast<std::size_t>(row * grid.columns + column);
+      RecordChunk& chunk = tiles[tile].tail(pool);
       chunk.records[static_cast<std::size_t>(chunk.size++)] = record;
     }
   }

@@ -76,7 +76,6 @@ void FragmentShader::group_by_call(const FrameCalls& frame, const FragmentView& 
 
 void FragmentShader::load(const FrameCalls& frame, const FragmentView& fragments, int call,
                           int first, int count) {
-  const DrawCall& draw = frame.calls[static_cast<std::size_t>(call)];
   const std::uint32_t first_id = frame.first_id[static_cast<std::size_t>(call)];
   const auto size = static_cast<std::size_t>(count);
   if (order_.empty()) {
@@ -89,43 +88,23 @@ void FragmentShader::load(const FrameCalls& frame, const FragmentView& fragments
       storage_.triangle[i] = fragments.id[from] - first_id;
     }
   }
-  if (draw.source_triangle.empty()) return;  // each is its own source
-  for (std::size_t i = 0; i < size; ++i) {
-    storage_.primitive[i] = draw.source_triangle[storage_.triangle[i]];
-  }
 }
 
 void FragmentShader::shade_group(const FrameCalls& frame, const FragmentView& fragments,
                                  const Group& group, const LinearRgba& clear, LinearRgba* colours) {
   const DrawCall& draw = frame.calls[static_cast<std::size_t>(group.call)];
-  Batch batch;
-  batch.constants = draw.constants;
-  batch.x = storage_.x.data();
-  batch.y = storage_.y.data();
-  batch.primitive =
-      draw.source_triangle.empty() ? storage_.triangle.data() : storage_.primitive.data();
-  for (std::size_t a = 0; a < static_cast<std::size_t>(draw.attribute_count); ++a) {
-    batch.attribute[a] = storage_.attribute[a].data();
-  }
-  if (draw.cull == CullMode::kNone) batch.facing = storage_.facing.data();
-  if (draw.texcoord_attribute >= 0) {
-    batch.du_dx = storage_.gradient[0].data();
-    batch.dv_dx = storage_.gradient[1].data();
-    batch.du_dy = storage_.gradient[2].data();
-    batch.dv_dy = storage_.gradient[3].data();
-  }
   for (int first = group.first; first < group.end; first += Batch::kMaxSize) {
-    batch.size = std::min(Batch::kMaxSize, group.end - first);
+    const int size = std::min(Batch::kMaxSize, group.end - first);
     LinearRgba* const out = order_.empty() ? colours + first : shaded_.data();
     if (draw.shade == nullptr) {
-      std::fill_n(out, batch.size, clear);
+      std::fill_n(out, size, clear);
     } else {
-      load(frame, fragments, group.call, first, batch.size);
-      interpolate(draw, batch.size, storage_);
-      draw.shade(batch, out);
+      load(frame, fragments, group.call, first, size);
+      interpolate(draw, size, storage_);
+      draw.shade(batch_of(draw, storage_, size), out);
     }
     if (order_.empty()) continue;
-    for (int i = 0; i < batch.size; ++i) {
+    for (int i = 0; i < size; ++i) {
       colours[order_[static_cast<std::size_t>(first + i)]] = out[i];
     }
   }

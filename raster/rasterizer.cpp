@@ -1,12 +1,14 @@
 #include "raster/rasterizer.h"
 
 #include <algorithm>
+#include <bit>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "raster/base/error.h"
 #include "raster/binning.h"
+#include "raster/block_batches.h"
 #include "raster/fragment_batches.h"
 #include "raster/kernels/bin_triangles.h"
 #include "raster/kernels/cull.h"
@@ -35,6 +37,7 @@ struct alignas(64) WorkerState {
   std::vector<const TriangleRecord*> records;  ///< of the tile
   VisibleFragments visible;
   FragmentShader shader;
+  BlockShader block_shader;
   OrderedTile ordered;
   RasterStats stats;
 };
@@ -167,14 +170,21 @@ void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash
   const bool is_ordered = begin_ordered(tile, state);
   if (is_ordered || want_hash || target.keep_depth) store_all_blocks(pattern, state.tile);
   if (is_ordered) state.ordered.begin_colours(target.clear, state.tile);
+  const int block_count = state.tile.block_columns * state.tile.block_rows;
+  std::uint64_t blocks = ~std::uint64_t{0} >> (TileBuffer::kMaxBlocks - block_count);
+  if (!is_ordered) {
+    const std::uint64_t left = state.block_shader.shade(calls, state.tile, target);
+    state.stats.fragments +=
+        static_cast<std::uint64_t>(std::popcount(blocks & ~left) * TileBuffer::kBlockPixels);
+    blocks = left;
+  }
   // A few blocks at a time, so that fragments and colours stay in a first-level cache.
-  for (int block = 0; block < state.tile.block_columns * state.tile.block_rows;) {
-    gather_visible(state.tile, block, state.visible);
+  while (blocks != 0) {
+    blocks = gather_visible(state.tile, blocks, state.visible);
     const auto colours = state.shader.shade(calls, state.visible, target.clear);
     resolve_blocks(state.tile, state.visible, colours, target);
     if (is_ordered) state.ordered.take(state.visible, colours, state.tile);
     state.stats.fragments += static_cast<std::uint64_t>(state.visible.size);
-    block = state.visible.end_block;
   }
   if (is_ordered) {
     state.stats.fragments += state.ordered.draw(calls, pattern, target.clear, state.tile);

@@ -14,6 +14,10 @@ namespace kinescope {
 void resolve_blocks(const TileBuffer& tile, const VisibleFragments& fragments,
                     std::span<const LinearRgba> colours, RenderTarget& target);
 
+/// Writes a block that lies within the target, from the colours of its pixels.
+void write_whole_block(std::span<const LinearRgba, TileBuffer::kBlockPixels> colours, int x0,
+                       int y0, RenderTarget& target);
+
 /// Copies the depth of each pixel's first sample. All blocks must be stored.
 void keep_depth(const TileBuffer& tile, Image<float>& depth);
 

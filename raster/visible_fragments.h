@@ -22,7 +22,8 @@ struct VisibleFragments {
   alignas(64) std::array<std::uint32_t, kCapacity> xy;
   std::array<std::uint8_t, kCapacity> weight;  ///< samples covered in the pixel; unset at one
 
-  int first_block = 0, end_block = 0;
+  int blocks = 0;
+  std::array<int, TileBuffer::kMaxBlocks> block{};  ///< of the tile
   /// The first fragment of each block, and one entry more.
   std::array<int, TileBuffer::kMaxBlocks + 1> block_first{};
   /// Whether each of a block's 64 pixels shows one triangle at all of its samples.

@@ -37,7 +37,8 @@ std::uint32_t attributes_read(ShadingModel model, const Surface& surface) {
     case ShadingModel::kFlat:
       return read;
     case ShadingModel::kGouraud:
-      return read | bits(lit_row::kBody, 3) | bits(lit_row::kHighlight, 3);
+      return read | bits(lit_row::kBody, 3) |
+             (keeps_highlight_apart(surface) ? bits(lit_row::kHighlight, 3) : 0);
     case ShadingModel::kPhong:
     case ShadingModel::kBlinn:
       return read | colour | bits(vertex_row::kPosition, 3) | bits(vertex_row::kNormal, 3);

@@ -25,7 +25,7 @@ inline constexpr int kStride = 8, kStrideWithColour = 12;
 }  // namespace vertex_row
 
 /// A row of a vertex that was lit already: light reflected by the body, highlight, texture place.
-/// The texture multiplies the body's light only.
+/// The texture multiplies the body's light only; without one the body's light holds the highlight.
 namespace lit_row {
 inline constexpr int kBody = 0, kHighlight = 3, kTexcoord = 6;
 inline constexpr int kCount = 8, kStride = 8;
@@ -48,6 +48,9 @@ struct Surface {
   bool vertex_colours = false;  ///< rows carry vertex_row::kColour
   std::span<const LitColour> triangle_light;  ///< kFlat: one a source triangle
 };
+
+/// Whether lit rows hold the highlight by itself.
+inline bool keeps_highlight_apart(const Surface& surface) { return surface.texture != nullptr; }
 
 /// The shader of a model, for the instruction set in use. kGouraud reads lit rows, kFlat and kUnlit
 /// any row whose texture place is at kTexcoord, the others vertex rows.

@@ -19,31 +19,37 @@ HWY_INLINE void add_weighted(const LinearRgba& colour, float weight, LinearRgba&
   }
 }
 
-HWY_INLINE void scale(float factor, LinearRgba& colour) {
-  const F f;
-  for (std::size_t c = 0; c < 4; c += hn::Lanes(f)) {
-    const auto channel = hn::LoadU(f, &colour.r + c);
-    hn::StoreU(hn::Mul(channel, hn::Set(f, factor)), f, &colour.r + c);
+/// The clear colour for the samples that no fragment covers.
+HWY_INLINE void add_clear(const VisibleFragments& fragments, std::size_t first, std::size_t end,
+                          int samples, float share, const LinearRgba& clear,
+                          std::array<LinearRgba, TileBuffer::kBlockPixels>& out) {
+  std::array<std::int32_t, TileBuffer::kBlockPixels> empty;
+  empty.fill(samples);
+  for (std::size_t i = first; i < end; ++i) {
+    empty[pixel_in_block(fragments.xy[i])] -= fragments.weight[i];
+  }
+  for (std::size_t at = 0; at < out.size(); ++at) {
+    add_weighted(clear, static_cast<float>(empty[at]) * share, out[at]);
   }
 }
 
 void AverageSamples(const VisibleFragments& fragments, const LinearRgba* colours, std::size_t first,
                     std::size_t end, int samples, const LinearRgba& clear,
                     std::array<LinearRgba, TileBuffer::kBlockPixels>& out) {
+  // A power of two: to multiply by it first or last is the same.
+  const float share = 1.0f / static_cast<float>(samples);
+  std::array<float, 9> weighted;
+  for (std::size_t w = 0; w < weighted.size(); ++w) weighted[w] = static_cast<float>(w) * share;
   out.fill({0, 0, 0, 0});
-  std::array<std::int32_t, TileBuffer::kBlockPixels> empty;
-  empty.fill(samples);
+  std::uint32_t covered = 0;
   // No branch asks how many fragments a pixel has, since nobody can predict it.
   for (std::size_t i = first; i < end; ++i) {
-    const std::size_t at = pixel_in_block(fragments.xy[i]);
-    const std::int32_t weight = fragments.weight[i];
-    empty[at] -= weight;
-    add_weighted(colours[i], static_cast<float>(weight), out[at]);
+    const std::uint32_t weight = fragments.weight[i];
+    covered += weight;
+    add_weighted(colours[i], weighted[weight], out[pixel_in_block(fragments.xy[i])]);
   }
-  const float share = 1.0f / static_cast<float>(samples);
-  for (std::size_t at = 0; at < out.size(); ++at) {
-    add_weighted(clear, static_cast<float>(empty[at]), out[at]);
-    scale(share, out[at]);
+  if (covered != TileBuffer::kBlockPixels * static_cast<std::uint32_t>(samples)) {
+    add_clear(fragments, first, end, samples, share, clear, out);
   }
 }
 

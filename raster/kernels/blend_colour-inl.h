@@ -15,6 +15,7 @@
 #include <type_traits>
 
 #include "raster/blending.h"
+#include "raster/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
@@ -128,7 +129,7 @@ class AllBelow {
   /// The lanes of the samples in the lowest bits.
   static HWY_INLINE hn::Mask<Two> covered(std::uint32_t bits) {
     const hn::RebindToUnsigned<Two> u;
-    const auto bit = hn::Add(hn::ShiftRight<2>(hn::Iota(u, 0)), hn::Set(u, 1));  // 1 or 2
+    const auto bit = hn::Add(hn::ShiftRight<2>(lane_numbers(u)), hn::Set(u, 1));  // 1 or 2
     return hn::RebindMask(Two(), hn::TestBit(hn::Set(u, bits), bit));
   }
   hn::Vec<Two> colours_[kVectors];

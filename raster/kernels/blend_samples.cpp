@@ -48,7 +48,7 @@ constexpr std::size_t kRun = 8;
 HWY_INLINE bool is_run(const std::uint32_t* xy) {
   const hn::CappedTag<std::uint32_t, kRun> u;
   for (std::size_t k = 0; k < kRun; k += hn::Lanes(u)) {
-    const auto wanted = hn::Iota(u, xy[0] + static_cast<std::uint32_t>(k));
+    const auto wanted = lanes_from(u, xy[0] + static_cast<std::uint32_t>(k));
     if (!hn::AllTrue(u, hn::Eq(hn::LoadU(u, xy + k), wanted))) return false;
   }
   return true;
@@ -134,7 +134,7 @@ HWY_INLINE void sort_keys(std::uint64_t* keys, std::size_t size) {
 template <std::size_t kSamples>
 HWY_INLINE bool serves_all(const float* depths, const std::uint64_t* keys, std::size_t size) {
   const hn::CappedTag<float, kSamples> f;
-  auto in_order = hn::FirstN(f, hn::Lanes(f));
+  auto in_order = first_lanes(f, hn::Lanes(f));
   for (std::size_t k = 1; k < size; ++k) {
     const std::uint64_t i = keys[k - 1] & 0xffffffffu, j = keys[k] & 0xffffffffu;
     for (std::size_t s = 0; s < kSamples; s += hn::Lanes(f)) {

@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/pack-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -85,7 +86,7 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits, VU v
   const F f;
   const I i;
   const U u;
-  auto drawable = hn::FirstN(f, hn::Lanes(f));
+  auto drawable = first_lanes(f, hn::Lanes(f));
   const Corner a = load_corner(call.vertices, v0, drawable);
   const Corner b = load_corner(call.vertices, v1, drawable);
   const Corner c = load_corner(call.vertices, v2, drawable);
@@ -115,7 +116,7 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits, VU v
   const auto is_small = hn::AndNot(outside, hn::And(keep, below(CulledTriangles::kSmallPx)));
   const auto is_medium = hn::AndNot(is_small, hn::And(keep, below(CulledTriangles::kMediumPx)));
   const auto is_large = hn::AndNot(below(CulledTriangles::kMediumPx), keep);
-  const VU triangle = hn::Add(hn::Iota(u, 0), hn::Set(u, first));
+  const VU triangle = lanes_from(u, first);
   if (!hn::AllFalse(i, is_large)) {
     const Packer<I> pack(is_large);
     pack.store(triangle, out.large_triangle.data() + out.large_size);

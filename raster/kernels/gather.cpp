@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/kernels/gather.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/first_samples-inl.h"
+#include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/pack-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,8 +44,8 @@ HWY_INLINE void gather_fours(const std::uint32_t* ids, std::size_t within, std::
   const hn::RebindToSigned<U> i;
   const hn::Rebind<std::uint8_t, U> u8;
   const std::size_t lanes = hn::Lanes(u), pixels = lanes / 4;
-  const auto sample = hn::And(hn::Iota(u, 0), hn::Set(u, 3));
-  const auto pixel = hn::ShiftRight<2>(hn::Iota(u, 0));
+  const auto sample = hn::And(lane_numbers(u), hn::Set(u, 3));
+  const auto pixel = hn::ShiftRight<2>(lane_numbers(u));
   const auto one = hn::Set(u, 1), zero = hn::Zero(u);
   const auto later = [&](std::uint32_t first)
                          HWY_ATTR { return hn::Gt(sample, hn::Set(u, first - 1)); };
@@ -56,7 +59,7 @@ HWY_INLINE void gather_fours(const std::uint32_t* ids, std::size_t within, std::
     const auto seen = hn::Or(hn::And(same3, later(1)),
                              hn::Or(hn::And(same2, later(2)), hn::And(same1, later(3))));
     const auto hidden = hn::Or(seen, hn::Eq(id, hn::Set(u, TileBuffer::kNothing)));
-    const auto shown = hn::AndNot(hidden, hn::FirstN(u, 4 * (within - k)));
+    const auto shown = hn::AndNot(hidden, first_lanes(u, 4 * (within - k)));
     const auto weight =
         hn::Add(hn::Add(one, hn::IfThenElse(same1, one, zero)),
                 hn::Add(hn::IfThenElse(same2, one, zero), hn::IfThenElse(same3, one, zero)));
@@ -98,40 +101,14 @@ HWY_INLINE void append(hn::Vec<U> id, hn::Mask<U> within, std::uint32_t xy, int 
   }
   if (hn::AllTrue(u, shown)) {
     hn::StoreU(id, u, out.id.data() + n);
-    hn::StoreU(hn::Iota(u, xy), u, out.xy.data() + n);
+    hn::StoreU(lanes_from(u, xy), u, out.xy.data() + n);
     out.size += static_cast<int>(hn::Lanes(u));
     return;
   }
   const Packer<U> pack(shown);
   pack.store(id, out.id.data() + n);
-  pack.store(hn::Iota(u, xy), out.xy.data() + n);
+  pack.store(lanes_from(u, xy), out.xy.data() + n);
   out.size += static_cast<int>(pack.count());
-}
-
-/// The first sample's triangles of several pixels, and whether all samples of each agree.
-template <int kSamples>
-HWY_INLINE hn::Vec<U> first_samples(const std::uint32_t* ids, hn::Mask<U> within, bool& agree) {
-  const U u;
-  if constexpr (kSamples == 1) {
-    agree = true;
-    return hn::Load(u, ids);
-  } else if constexpr (kSamples == 4) {
-    hn::Vec<U> a, b, c, d;
-    hn::LoadInterleaved4(u, ids, a, b, c, d);
-    const auto differ = hn::Or(hn::Or(hn::Xor(a, b), hn::Xor(a, c)), hn::Xor(a, d));
-    agree = hn::AllFalse(u, hn::And(within, hn::Ne(differ, hn::Zero(u))));
-    return a;
-  } else {
-    HWY_ALIGN std::array<std::uint32_t, 8> first;
-    HWY_ALIGN std::array<std::uint32_t, 8> differ;
-    for (std::size_t k = 0; k < hn::Lanes(u); ++k, ids += kSamples) {
-      first[k] = ids[0];
-      differ[k] = 0;
-      for (int s = 1; s < kSamples; ++s) differ[k] |= ids[s] ^ ids[0];
-    }
-    agree = hn::AllFalse(u, hn::And(within, hn::Ne(hn::Load(u, differ.data()), hn::Zero(u))));
-    return hn::Load(u, first.data());
-  }
 }
 
 /// A block that shows one triangle. Whole rows are stored, then those beyond the target dropped.
@@ -148,7 +125,7 @@ HWY_INLINE void gather_plane(const PixelRect& rect, std::uint32_t id, int sample
     for (int x = 0; x < width; x += lanes) {
       const auto n = static_cast<std::size_t>(out.size + x);
       hn::StoreU(ids, u, out.id.data() + n);
-      hn::StoreU(hn::Iota(u, xy + static_cast<std::uint32_t>(x)), u, out.xy.data() + n);
+      hn::StoreU(lanes_from(u, xy + static_cast<std::uint32_t>(x)), u, out.xy.data() + n);
       hn::StoreU(weights, u8, out.weight.data() + n);
     }
     out.size += width;
@@ -169,9 +146,9 @@ HWY_INLINE bool gather_stored(const TileBuffer& tile, const PixelRect& rect,
     const std::uint32_t xy =
         static_cast<std::uint32_t>(y) << 16 | static_cast<std::uint32_t>(rect.x0);
     for (int x = 0; x < width; x += lanes) {
-      const auto within = hn::FirstN(u, static_cast<std::size_t>(width - x));
+      const auto within = first_lanes(u, static_cast<std::size_t>(width - x));
       bool agree = true;
-      const auto id = first_samples<kSamples>(row + x * kSamples, within, agree);
+      const auto id = first_samples<kSamples>(u, row + x * kSamples, within, agree);
       if (agree) {
         append(id, within, xy + static_cast<std::uint32_t>(x), kSamples, out);
         continue;
@@ -185,14 +162,14 @@ HWY_INLINE bool gather_stored(const TileBuffer& tile, const PixelRect& rect,
 }
 
 template <int kSamples>
-HWY_INLINE void gather_blocks(const TileBuffer& tile, int first, VisibleFragments& out) {
+HWY_INLINE std::uint64_t gather_blocks(const TileBuffer& tile, std::uint64_t blocks,
+                                       VisibleFragments& out) {
   constexpr int kSide = TileBuffer::kBlock;
-  const int blocks = tile.block_columns * tile.block_rows;
-  out.size = 0;
-  out.first_block = first;
-  int block = first;
-  for (; block < blocks && out.size <= VisibleFragments::kEnough; ++block) {
-    const auto at = static_cast<std::size_t>(block - first);
+  out.size = out.blocks = 0;
+  for (; blocks != 0 && out.size <= VisibleFragments::kEnough; blocks &= blocks - 1) {
+    const int block = std::countr_zero(blocks);
+    const auto at = static_cast<std::size_t>(out.blocks++);
+    out.block[at] = block;
     out.block_first[at] = out.size;
     out.block_is_whole[at] = false;
     const TriangleRecord* const shown = tile.shown[static_cast<std::size_t>(block)];
@@ -207,18 +184,18 @@ HWY_INLINE void gather_blocks(const TileBuffer& tile, int first, VisibleFragment
     }
     out.block_is_whole[at] = whole && rect.x1 - rect.x0 == kSide && rect.y1 - rect.y0 == kSide;
   }
-  out.block_first[static_cast<std::size_t>(block - first)] = out.size;
-  out.end_block = block;
+  out.block_first[static_cast<std::size_t>(out.blocks)] = out.size;
+  return blocks;
 }
 
-void Gather(const TileBuffer& tile, int first, VisibleFragments& out) {
+std::uint64_t Gather(const TileBuffer& tile, std::uint64_t blocks, VisibleFragments& out) {
   switch (tile.samples) {
     case 1:
-      return gather_blocks<1>(tile, first, out);
+      return gather_blocks<1>(tile, blocks, out);
     case 4:
-      return gather_blocks<4>(tile, first, out);
+      return gather_blocks<4>(tile, blocks, out);
     default:
-      return gather_blocks<8>(tile, first, out);
+      return gather_blocks<8>(tile, blocks, out);
   }
 }
 
@@ -230,8 +207,8 @@ namespace kinescope {
 
 HWY_EXPORT(Gather);
 
-void gather_visible(const TileBuffer& tile, int first_block, VisibleFragments& out) {
-  HWY_DYNAMIC_DISPATCH(Gather)(tile, first_block, out);
+std::uint64_t gather_visible(const TileBuffer& tile, std::uint64_t blocks, VisibleFragments& out) {
+  return HWY_DYNAMIC_DISPATCH(Gather)(tile, blocks, out);
 }
 
 }  // namespace kinescope

@@ -13,103 +13,11 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/kernels/tile_blocks-inl.h"
+#include "raster/kernels/tile_edges-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr int kBlock = TileBuffer::kBlock;
-
-/// An edge over a tile: at pixel (k, r) of it its sign is that of step_x k + step_y r + start, each
-/// sample with a start of its own. Dividing by 256 (rounding down) keeps the sign, and pixels lie
-/// 256 raw units apart, so the steps stay whole. An edge that crosses a tile of at most 64x64
-/// pixels fits 32 bits: steps are at most 2^24, and less than 63+63+2 of them part any two values
-/// at samples of the tile. One that does not cross it is all zeros.
-template <int kSamples>
-struct TileEdge {
-  std::int32_t step_x, step_y;
-  std::int32_t least, most;  ///< of the starts
-  std::array<std::int32_t, kSamples> start;
-};
-
-/// A triangle in a tile.
-template <int kSamples>
-struct TriangleInTile {
-  static constexpr int kParts = SampleLanes<kSamples>::kParts;
-
-  const TriangleRecord* record;
-  PixelRect rect;  ///< no other pixels are touched
-  std::array<TileEdge<kSamples>, 3> edge;
-  TriangleVectors vectors;
-  VI corner[3][kParts];  ///< the edges at the vector that begins at the tile's first pixel
-  VI down[3];            ///< how much the edges rise to each lane's row
-
-  /// An edge at a pixel of the tile, without its start.
-  std::int32_t rise(std::size_t e, int column, int row) const {
-    return column * edge[e].step_x + row * edge[e].step_y;
-  }
-};
-
-/// A value of each sample in its lanes.
-template <class Lanes>
-HWY_INLINE VI in_lanes(const std::int32_t* of_samples, const Lanes& lanes) {
-  const I i;
-  if constexpr (Lanes::kSamples == 1) {
-    return hn::Set(i, of_samples[0]);
-  } else if constexpr (Lanes::kSamples < Lanes::kLanes) {
-    static_assert(Lanes::kSamples == 4);
-    return hn::LoadDup128(i, of_samples);
-  } else {
-    return hn::LoadU(i, of_samples + lanes.part * Lanes::kLanes);
-  }
-}
-
-/// Finds the edges that cross the triangle's rectangle. False if it lies outside of one.
-template <int kSamples>
-HWY_INLINE bool find_edges(const PixelRect& tile, std::span<const SampleOffset> pattern,
-                           TriangleInTile<kSamples>& in) {
-  const TriangleRecord& t = *in.record;
-  const std::int64_t width = in.rect.x1 - in.rect.x0 - 1, height = in.rect.y1 - in.rect.y0 - 1;
-  std::size_t crossings = 0;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const std::size_t b = a == 2 ? 0 : a + 1;
-    const std::int64_t dx = t.x[b] - t.x[a], dy = t.y[b] - t.y[a];
-    const bool top_left = dy < 0 || (dy == 0 && dx > 0);
-    const std::int64_t at_rect = dx * (in.rect.y0 - tile.y0) - dy * (in.rect.x0 - tile.x0);
-    std::int64_t least = std::numeric_limits<std::int64_t>::max();
-    std::int64_t most = std::numeric_limits<std::int64_t>::min();
-    TileEdge<kSamples>& edge = in.edge[crossings];
-    for (std::size_t s = 0; s < kSamples; ++s) {
-      const std::int64_t px = std::int64_t{tile.x0} * 256 + pattern[s].x.raw();
-      const std::int64_t py = std::int64_t{tile.y0} * 256 + pattern[s].y.raw();
-      const std::int64_t e = dx * (py - t.y[a]) - dy * (px - t.x[a]) - (top_left ? 0 : 1);
-      const std::int64_t start = e >> 8;
-      least = std::min(least, start);
-      most = std::max(most, start);
-      edge.start[s] = static_cast<std::int32_t>(start);  // used only if it fits
-    }
-    const std::int64_t rise =
-        std::max<std::int64_t>(-dy * width, 0) + std::max<std::int64_t>(dx * height, 0);
-    if (most + at_rect + rise < 0) return false;
-    // Over the whole tile, since blocks reach beyond the rectangle.
-    constexpr std::int64_t kReach = TileGrid::kMaxTile - 1;
-    const std::int64_t fall =
-        std::min<std::int64_t>(-dy * kReach, 0) + std::min<std::int64_t>(dx * kReach, 0);
-    if (least + fall >= 0) continue;
-    edge.step_x = static_cast<std::int32_t>(-dy);
-    edge.step_y = static_cast<std::int32_t>(dx);
-    edge.least = static_cast<std::int32_t>(least);
-    edge.most = static_cast<std::int32_t>(most);
-    ++crossings;
-  }
-  for (; crossings < 3; ++crossings) {
-    TileEdge<kSamples>& edge = in.edge[crossings];
-    edge.step_x = edge.step_y = edge.least = edge.most = 0;
-    edge.start.fill(0);
-  }
-  return true;
-}
 
 /// Bounds on the depth of all samples in a rectangle. DepthPlane::at only multiplies by a constant,
 /// adds and clamps, each rounded: so it never falls where the exact plane rises, and its extremes
@@ -133,36 +41,23 @@ HWY_INLINE DepthRange depth_range(const TriangleRecord& t, const PixelRect& rect
   return {plane.at(left, top), plane.at(right, bottom)};
 }
 
-template <int kSamples>
-HWY_INLINE void set_vectors(const LaneParts<kSamples>& parts, TriangleInTile<kSamples>& in) {
-  const I i;
-  in.vectors = vectors_of(*in.record);
-  for (std::size_t e = 0; e < 3; ++e) {
-    in.down[e] = hn::Mul(hn::Iota(i, 0), hn::Set(i, in.edge[e].step_y));
-    for (const SampleLanes<kSamples>& lanes : parts.part) {
-      const VI columns = hn::Mul(lanes.column, hn::Set(i, in.edge[e].step_x));
-      in.corner[e][lanes.part] = hn::Add(in_lanes(in.edge[e].start.data(), lanes), columns);
-    }
-  }
-}
-
-/// The rows of a block in which some of a few columns may be covered, from the first to the last.
+/// Rows of a block, counted from its first, half open.
 struct RowRange {
   int first, end;
 };
 
-/// @param column,row  pixel of the tile where the block's columns begin
+/// From the first to the last row in which some sample may be covered.
+/// @param column,row  the block's first pixel, counted from the tile's
 template <int kSamples>
-HWY_INLINE RowRange rows_covered(const TriangleInTile<kSamples>& in, int column, int row,
-                                 int columns) {
+HWY_INLINE RowRange rows_covered(const TriangleInTile<kSamples>& in, int column, int row) {
   const I i;
   std::uint32_t rows = 0;
   for (int r = 0; r < kBlock; r += static_cast<int>(hn::Lanes(i))) {
     VI most = hn::Zero(i);
+    HWY_UNROLL(3)
     for (std::size_t e = 0; e < 3; ++e) {
-      const TileEdge<kSamples>& edge = in.edge[e];
-      const std::int32_t start = edge.most + std::max((columns - 1) * edge.step_x, 0);
-      most = hn::Or(most, hn::Add(in.down[e], hn::Set(i, start + in.rise(e, column, row + r))));
+      const std::int32_t start = in.most_in_row[e] + in.rise(e, column, row + r);
+      most = hn::Or(most, hn::Add(in.down[e], hn::Set(i, start)));
     }
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(i, hn::Gt(most, hn::Set(i, -1)), bits);
@@ -178,22 +73,25 @@ HWY_INLINE void draw_samples(const TriangleInTile<kSamples>& in, int column, int
                              const LaneParts<kSamples>& parts, TileBuffer& tile) {
   using Lanes = SampleLanes<kSamples>;
   const I i;
-  for (int c = column; c < column + kBlock; c += Lanes::kPixels) {
-    const RowRange rows = rows_covered(in, c, row, Lanes::kPixels);
-    const int x = tile.rect.x0 + c;
-    int y0 = tile.rect.y0 + row + rows.first, y1 = tile.rect.y0 + row + rows.end;
-    if (in.record->clipped) {
-      y0 = std::max(y0, in.rect.y0);
-      y1 = std::min(y1, in.rect.y1);
+  const RowRange rows = rows_covered(in, column, row);
+  int y0 = tile.rect.y0 + row + rows.first, y1 = tile.rect.y0 + row + rows.end;
+  if (in.record->clipped) {
+    y0 = std::max(y0, in.rect.y0);
+    y1 = std::min(y1, in.rect.y1);
+  }
+  if (y0 >= y1) return;
+  for (const Lanes& lanes : parts.part) {
+    EdgeColumn edge[3];
+    VI step_x[3];  // to the next vector
+    HWY_UNROLL(3)
+    for (std::size_t e = 0; e < 3; ++e) {
+      const std::int32_t rise = in.rise(e, column, y0 - tile.rect.y0);
+      edge[e] = {hn::Add(in.corner[e][lanes.part], hn::Set(i, rise)),
+                 hn::Set(i, in.edge[e].step_y)};
+      step_x[e] = hn::Set(i, in.edge[e].step_x * Lanes::kPixels);
     }
-    if (y0 >= y1) continue;
-    for (const Lanes& lanes : parts.part) {
-      EdgeColumn edge[3];
-      for (std::size_t e = 0; e < 3; ++e) {
-        const std::int32_t rise = in.rise(e, c, y0 - tile.rect.y0);
-        edge[e] = {hn::Add(in.corner[e][lanes.part], hn::Set(i, rise)),
-                   hn::Set(i, in.edge[e].step_y)};
-      }
+    for (int c = column; c < column + kBlock; c += Lanes::kPixels) {
+      const int x = tile.rect.x0 + c;
       VI outside = hn::Zero(i);
       if (in.record->clipped) {
         const VI pixel = hn::Add(lanes.column, hn::Set(i, x));
@@ -201,20 +99,24 @@ HWY_INLINE void draw_samples(const TriangleInTile<kSamples>& in, int column, int
                          hn::Sub(hn::Set(i, in.rect.x1 - 1), pixel));
       }
       draw_column(edge, outside, in.vectors, lanes, x, y0, y1, tile);
+      HWY_UNROLL(3)
+      for (std::size_t e = 0; e < 3; ++e) edge[e].value = hn::Add(edge[e].value, step_x[e]);
     }
   }
 }
 
 /// The farthest depth among a stored block's samples.
+template <int kSamples>
 HWY_INLINE float farthest_in_block(int column, int row, const TileBuffer& tile) {
   const F f;
-  const auto samples = static_cast<std::size_t>(tile.samples);
-  const std::size_t stride = static_cast<std::size_t>(tile.stride) * samples;
+  constexpr std::size_t kLanes = hn::MaxLanes(F());
+  const auto stride = static_cast<std::size_t>(tile.stride) * kSamples;
   const float* at = tile.depth.data() + static_cast<std::size_t>(row * kBlock) * stride +
-                    static_cast<std::size_t>(column * kBlock) * samples;
+                    static_cast<std::size_t>(column * kBlock * kSamples);
   VF most = hn::Zero(f);
   for (int r = 0; r < kBlock; ++r, at += stride) {
-    for (std::size_t s = 0; s < kBlock * samples; s += hn::Lanes(f)) {
+    HWY_UNROLL(8)
+    for (std::size_t s = 0; s < kBlock * kSamples; s += kLanes) {
       most = hn::Max(most, hn::Load(f, at + s));
     }
   }
@@ -244,7 +146,7 @@ HWY_INLINE bool draw_in_block(const TriangleInTile<kSamples>& in, int column, in
     // Triangles that cover the block only together may hide this one.
     if ((tile.stale & tile.stored & bit) != 0 && range.nearest > tile.block_nearest[at]) {
       tile.stale &= ~bit;
-      tile.block_farthest[at] = farthest_in_block(column, row, tile);
+      tile.block_farthest[at] = farthest_in_block<kSamples>(column, row, tile);
       if (range.nearest > tile.block_farthest[at]) return true;
     }
   }
@@ -272,16 +174,11 @@ template <int kSamples>
 HWY_INLINE BlockBits classify(const TriangleInTile<kSamples>& in, int column, int row) {
   const I i;
   VI least = hn::Zero(i), most = hn::Zero(i);  // negative if one edge's is
-  const VI columns = hn::Iota(i, column * kBlock);
-  const VI in_block = hn::Mul(hn::Iota(i, 0), hn::Set(i, kBlock - 1));
-  for (const TileEdge<kSamples>& e : in.edge) {
-    const std::int32_t across = e.step_x * (kBlock - 1), down = e.step_y * (kBlock - 1);
-    const VI corner = hn::Add(hn::Mul(hn::Add(columns, in_block), hn::Set(i, e.step_x)),
-                              hn::Set(i, row * kBlock * e.step_y));
-    least = hn::Or(least,
-                   hn::Add(corner, hn::Set(i, e.least + std::min(across, 0) + std::min(down, 0))));
-    most =
-        hn::Or(most, hn::Add(corner, hn::Set(i, e.most + std::max(across, 0) + std::max(down, 0))));
+  HWY_UNROLL(3)
+  for (std::size_t e = 0; e < 3; ++e) {
+    const VI corner = hn::Add(in.across[e], hn::Set(i, in.rise(e, column * kBlock, row * kBlock)));
+    least = hn::Or(least, hn::Add(corner, in.least[e]));
+    most = hn::Or(most, hn::Add(corner, in.most[e]));
   }
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(i, hn::Gt(most, hn::Set(i, -1)), bits);

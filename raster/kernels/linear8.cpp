@@ -12,21 +12,24 @@ HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Channels as whole numbers from 0 to 255.
+/// Channels as whole numbers from 0 to 255: the nearest, of two the even one.
 template <class F>
 HWY_INLINE auto codes(F f, const float* in) {
   const hn::Rebind<std::int32_t, F> i;
   const auto v = hn::LoadU(f, in);
   // Of NaN, which is no number, the comparison makes 0.
   const auto clamped = hn::Min(hn::IfThenElseZero(hn::Gt(v, hn::Zero(f)), v), hn::Set(f, 1.0f));
-  return hn::ConvertTo(i, hn::Add(hn::Mul(clamped, hn::Set(f, 255.0f)), hn::Set(f, 0.5f)));
+  // Added to 2^23, a number is rounded to a whole one, which the last bits then hold.
+  const auto shifter = hn::Set(f, 8388608.0f);
+  const auto rounded = hn::Add(hn::Mul(clamped, hn::Set(f, 255.0f)), shifter);
+  return hn::And(hn::BitCast(i, rounded), hn::Set(i, 255));
 }
 
 #if HWY_TARGET != HWY_SCALAR  // has no vectors of four
 /// Four vectors of channels become one of bytes.
 class FourToOne {
  public:
-  using F = hn::CappedTag<float, 16>;
+  using F = hn::CappedTag<float, 8>;
 
   FourToOne() {
     // Bytes of a 128-bit block, whose 16-bit lanes hold channels of pixels a, then b in their low
@@ -75,6 +78,21 @@ void QuantizeRow(const float* in, std::uint8_t* out, std::size_t channels) {
   for (; k < channels; ++k) hn::StoreU(hn::DemoteTo(byte, codes(one, in + k)), byte, out + k);
 }
 
+void QuantizeBlock(const float* in, std::uint8_t* out, std::size_t row_bytes) {
+  constexpr std::size_t kRow = 32;  // channels
+#if HWY_TARGET != HWY_SCALAR
+  const FourToOne quantize;
+  constexpr std::size_t kStep = 4 * hn::MaxLanes(FourToOne::F());
+  if constexpr (kStep <= kRow) {
+    for (std::size_t r = 0; r < 8; ++r, in += kRow, out += row_bytes) {
+      for (std::size_t k = 0; k < kRow; k += kStep) quantize(in + k, out + k);
+    }
+    return;
+  }
+#endif
+  for (std::size_t r = 0; r < 8; ++r) QuantizeRow(in + r * kRow, out + r * row_bytes, kRow);
+}
+
 }  // namespace kinescope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -82,10 +100,15 @@ HWY_AFTER_NAMESPACE();
 namespace kinescope {
 
 HWY_EXPORT(QuantizeRow);
+HWY_EXPORT(QuantizeBlock);
 
 void quantize_row(std::span<const LinearRgba> in, std::span<Linear8> out) {
   static_assert(sizeof(LinearRgba) == 4 * sizeof(float) && sizeof(Linear8) == 4);
   HWY_DYNAMIC_DISPATCH(QuantizeRow)(&in.data()->r, &out.data()->r, 4 * in.size());
+}
+
+void quantize_block(std::span<const LinearRgba, 64> in, Linear8* out, std::size_t stride) {
+  HWY_DYNAMIC_DISPATCH(QuantizeBlock)(&in.data()->r, &out->r, stride * sizeof(Linear8));
 }
 
 }  // namespace kinescope

@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/pack-inl.h"
 #include "raster/kernels/sample_lanes-inl.h"
 
@@ -160,7 +161,7 @@ struct Test {
  private:
   static HWY_INLINE hn::Mask<F> bit(DepthTest test, int b) {
     const F f;
-    return hn::FirstN(f, (static_cast<int>(test) & b) != 0 ? hn::Lanes(f) : 0);
+    return first_lanes(f, (static_cast<int>(test) & b) != 0 ? hn::Lanes(f) : 0);
   }
   hn::Mask<F> less, equal, greater;
 };
@@ -196,7 +197,7 @@ HWY_INLINE void draw_pixels(const Drawn<1>& t, const SampleLanes<1>& lanes, cons
   for (int x = t.rect.x0 & -Lanes::kPixels; x < t.rect.x1; x += Lanes::kPixels) {
     Column<Lanes> column(t, lanes, x, t.rect.y0, tile);
     VU place =
-        hn::Iota(u, static_cast<std::uint32_t>(t.rect.y0) << 16 | static_cast<std::uint32_t>(x));
+        lanes_from(u, static_cast<std::uint32_t>(t.rect.y0) << 16 | static_cast<std::uint32_t>(x));
     for (int y = t.rect.y0; y < t.rect.y1; ++y) {
       const auto covered = column.covered();
       if (!hn::AllFalse(i, covered)) {

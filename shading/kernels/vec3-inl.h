@@ -33,6 +33,9 @@ HWY_INLINE Vec3 load(const std::array<const float*, 3>& arrays, int i) {
   const Floats d;
   return {hn::Load(d, arrays[0] + i), hn::Load(d, arrays[1] + i), hn::Load(d, arrays[2] + i)};
 }
+HWY_INLINE Vec3 add(const Vec3& a, const Vec3& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
 HWY_INLINE Vec3 sub(const Vec3& a, const Vec3& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }

@@ -24,8 +24,12 @@ void shade_gouraud(const Batch& batch, LinearRgba* out) {
   const Finish finish(batch, surface, lit_row::kTexcoord, out);
   const std::array body = three_arrays(batch, lit_row::kBody);
   const std::array highlight = three_arrays(batch, lit_row::kHighlight);
+  const Vec3 none = splat(glm::vec3(0.0f));
+  const bool apart = keeps_highlight_apart(surface);
   const int step = static_cast<int>(hn::Lanes(Floats()));
-  for (int i = 0; i < batch.size; i += step) finish(i, load(body, i), load(highlight, i));
+  for (int i = 0; i < batch.size; i += step) {
+    finish(i, load(body, i), apart ? load(highlight, i) : none);
+  }
 }
 
 /// Rows turned into arrays, lit, and turned back, a block at a time. Rows are moved by four floats:
@@ -44,9 +48,14 @@ class VertexBlock {
 
   void light(const float* rows, int count, float* lit_rows) {
     for (int quad = 0; 4 * quad < stride_; ++quad) load_quad(rows + 4 * quad, count, quad);
+    const bool apart = keeps_highlight_apart(surface_);
     illuminate</*kHalfVector=*/false>(
-        surface_, points_, count, [&](int i, const Vec3& body, const Vec3& highlight) HWY_ATTR {
+        surface_, points_, count, [&](int i, Vec3 body, Vec3 highlight) HWY_ATTR {
           const Floats d;
+          if (!apart) {
+            body = add(body, highlight);
+            highlight = splat(glm::vec3(0.0f));
+          }
           const Vec u = hn::Load(d, in_[vertex_row::kTexcoord] + i);
           const Vec v = hn::Load(d, in_[vertex_row::kTexcoord + 1] + i);
           hn::StoreInterleaved4(body.x, body.y, body.z, highlight.x, d, first_ + 4 * i);

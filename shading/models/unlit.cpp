@@ -17,12 +17,14 @@ namespace HWY_NAMESPACE {
 void shade_unlit(const Batch& batch, LinearRgba* out) {
   const Surface& surface = *static_cast<const Surface*>(batch.constants);
   const Finish finish(batch, surface, vertex_row::kTexcoord, out);
+  const Material& material = surface.material;
+  if (!surface.vertex_colours)
+    return finish.all(batch.size, material.base_colour, material.emission);
   const PointArrays points = point_arrays(batch, surface);
+  const Vec3 base = splat(material.base_colour), emission = splat(material.emission);
   const int step = static_cast<int>(hn::Lanes(Floats()));
   for (int i = 0; i < batch.size; i += step) {
-    Vec3 body = splat(surface.material.base_colour);
-    if (surface.vertex_colours) body = mul(body, load(points.colour, i));
-    finish(i, body, splat(surface.material.emission));
+    finish(i, mul(base, load(points.colour, i)), emission);
   }
 }
 

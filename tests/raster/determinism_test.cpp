@@ -1,6 +1,7 @@
 // One scene, one image: for threads, tiles, instruction sets, and against the scalar reference.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -156,6 +157,61 @@ TEST(Determinism, SameForAnyTileSize) {
     const Drawn usual = draw(scene, 143, 131, samples, 2);
     for (const auto& [w, h] : {std::pair{8, 8}, {16, 64}, {24, 40}, {64, 64}, {64, 8}}) {
       EXPECT_EQ(draw(scene, 143, 131, samples, 2, {w, h}), usual) << w << "x" << h;
+    }
+  }
+}
+
+void shade_all_that_a_batch_holds(const Batch& batch, LinearRgba* out) {
+  for (int i = 0; i < batch.size; ++i) {
+    const float place = static_cast<float>(batch.x[i]) + 1000.0f * static_cast<float>(batch.y[i]);
+    const float mark = static_cast<float>(batch.primitive[i]) * batch.facing[i];
+    const float steps =
+        batch.du_dx[i] + 3 * batch.dv_dx[i] + 5 * batch.du_dy[i] + 7 * batch.dv_dy[i];
+    out[i] = {place, mark, steps, batch.attribute[0][i] + 3 * batch.attribute[4][i]};
+  }
+}
+void shade_nothing(const Batch& batch, LinearRgba* out) {
+  std::fill_n(out, batch.size, LinearRgba{0, 0, 0, 0});
+}
+
+/// Whole blocks have a road of their own, save where something is blended in the tile: both must
+/// lead to the same bits.
+TEST(Determinism, SameWhetherBlocksAreShadedWholeOrByFragment) {
+  const SimdGuard guard;
+  TriangleSoup soup;
+  RandomTriangles random(21);
+  for (int i = 0; i < 60; ++i) {  // large ones, so that blocks have from one owner to many
+    const auto vertex = [&](float x, float y) {
+      return TestVertex{x, y, random.between(0, 1), random.between(0.2f, 3)};
+    };
+    const float x = random.between(-50, 200), y = random.between(-50, 150);
+    soup.add(vertex(x, y), vertex(x + random.between(-90, 90), y + random.between(-90, 90)),
+             vertex(x + random.between(-90, 90), y + random.between(-90, 90)));
+  }
+  std::vector<float> rows(3 * soup.size() * 5);
+  for (float& value : rows) value = random.between(-2, 2);
+  DrawCall call = soup.call(shade_all_that_a_batch_holds);
+  call.attributes = rows;
+  call.attribute_count = call.attribute_stride = 5;
+  call.texcoord_attribute = 2;
+  TriangleSoup unseen;
+  unseen.add({-10, -10, 0}, {-10, 900, 0}, {900, -10, 0});
+  DrawCall veil = unseen.call(shade_nothing);
+  veil.blend = BlendMode::kAlpha;
+  const std::vector<DrawCall> plain = {call}, veiled = {call, veil};
+  for (const std::string& name : simd_targets()) {
+    use_simd_target(name);
+    Workers workers(2);
+    Rasterizer rasterizer(workers);
+    RenderTarget blocks(200, 160, 1, ColourFormat::kLinearFloat), fragments = blocks;
+    rasterizer.draw(blocks, plain);
+    rasterizer.draw(fragments, veiled);
+    const auto& expected = std::get<Image<LinearRgba>>(fragments.colour);
+    const auto& found = std::get<Image<LinearRgba>>(blocks.colour);
+    for (int y = 0; y < 160; ++y) {
+      for (int x = 0; x < 200; ++x) {
+        ASSERT_EQ(found.at(x, y), expected.at(x, y)) << name << " " << x << "," << y;
+      }
     }
   }
 }

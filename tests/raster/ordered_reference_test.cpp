@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "raster/base/simd.h"
 #include "raster/reference_rasterizer.h"
@@ -140,7 +141,7 @@ TEST(OrderedReference, EveryFormatHoldsTheSamePicture) {
       ASSERT_EQ(encoded.srgb8().at(x, y), encode_srgb8(c));
       const float r = std::clamp(c.r, 0.0f, 1.0f) * 255.0f;
       ASSERT_EQ(std::get<Image<Linear8>>(quantized.colour).at(x, y).r,
-                static_cast<std::uint8_t>(r + 0.5f));
+                static_cast<std::uint8_t>(std::nearbyint(r)));
     }
   }
 }
