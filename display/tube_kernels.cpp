@@ -6,6 +6,8 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace kinescope {
 namespace HWY_NAMESPACE {
@@ -114,7 +116,7 @@ void AddRows(int n, const float* a, const float* b, float* sum) {
 
 void FillRamp(int n, float start, float slope, float* out) {
   for_each_vector(n, [=](auto d, int i) {
-    const auto at = hn::Iota(d, static_cast<float>(i) + 0.5f);
+    const auto at = lanes_from(d, static_cast<float>(i) + 0.5f);
     hn::StoreU(hn::MulAdd(hn::Set(d, slope), at, hn::Set(d, start)), d, out + i);
   });
 }

@@ -8,6 +8,8 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace kinescope {
 namespace HWY_NAMESPACE {
@@ -138,7 +140,7 @@ HWY_INLINE Pair CurvedSum(const CurvePlace& place, CellRows cells) {
 
 template <int kTaps>
 HWY_INLINE void AlongCurve(const AcrossCurve& curve, CellRows cells, SpreadRows out) {
-  const Floats ramp = hn::Iota(d, 0);
+  const Floats ramp = lane_numbers(d);
   // Columns beside the line see the dark cells that lie there.
   const Floats least = set(-kCellPad);
   const Floats most = set(static_cast<float>(curve.cells + kCellPad - kGroup - kTaps));
@@ -205,7 +207,7 @@ void SpreadDown(int groups, int taps, const float* const* narrow_rows,
 
 void FindLineWeights(const LineGrid& grid, int* base_out, float* narrow_out, float* wide_out) {
   constexpr float kLog2E = 1.44269504f, kInverseRoot2Pi = 0.39894228f;
-  const Floats ramp = hn::Iota(d, 0);
+  const Floats ramp = lane_numbers(d);
   const auto line_at = [&](int node) {
     return grid.above[node] + grid.share * (grid.below[node] - grid.above[node]);
   };
