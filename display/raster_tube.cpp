@@ -221,7 +221,15 @@ void RasterTube::State::read_line(const FrameBuffer& buffer, BeamTime begin, Bea
   }
   if (reuses_line(s.drives, ranges, line)) return;
   s.changed = true;
+  const bool whole =
+      std::any_of(std::begin(ranges.range), std::end(ranges.range),
+                  [&](const CellRange& r) { return met(r) && r.begin == 0 && r.end == cells(); });
   for (std::size_t signal = 0; signal < signals.size(); ++signal) {
+    if (whole) {
+      gun.doses(s.drives, signals[signal], s.voltage, work.doses[signal].narrow.line(line),
+                work.doses[signal].wide.line(line));
+      continue;
+    }
     gun.doses(s.drives, signals[signal], s.voltage, s.narrow.data(), s.wide.data());
     for (const CellRange& range : ranges.range) {
       if (!met(range)) continue;

@@ -82,28 +82,51 @@ void ExciteDose(int n, const float* old_weight, float even, const float* new_wei
   });
 }
 
+/// x^power for x > 0, to 2e-5: the logarithm to base 2 by a series in (m - 1) / (m + 1), and back.
 template <typename D>
-HWY_INLINE void StoreDose(D d, const float* table, hn::Vec<hn::RebindToSigned<D>> at,
-                          hn::Vec<D> share, float* out) {
-  const auto low = hn::GatherIndex(d, table, at);
-  const auto high = hn::GatherIndex(d, table + 1, at);
-  hn::StoreU(hn::MulAdd(share, hn::Sub(high, low), low), d, out);
+HWY_INLINE hn::Vec<D> power_of(D d, hn::Vec<D> x, float power) {
+  const hn::RebindToSigned<D> di;
+  const auto set = [d](float v) { return hn::Set(d, v); };
+  // The mantissa m from sqrt(1/2) to sqrt(2).
+  const auto bits = hn::Sub(hn::BitCast(di, x), hn::Set(di, 0x3f3504f3));
+  const auto exponent = hn::ConvertTo(d, hn::ShiftRight<23>(bits));
+  const auto m =
+      hn::BitCast(d, hn::Add(hn::And(bits, hn::Set(di, 0x007fffff)), hn::Set(di, 0x3f3504f3)));
+  const auto s = hn::Div(hn::Sub(m, set(1)), hn::Add(m, set(1)));
+  const auto q = hn::Mul(s, s);
+  auto series = hn::MulAdd(set(0.57707802f), q, set(0.96179669f));
+  series = hn::MulAdd(series, q, set(2.88539008f));
+  const auto y = hn::Mul(hn::MulAdd(series, s, exponent), set(power));
+  const auto shifted = hn::Add(hn::Max(y, set(-126)), set(12582912.0f));
+  const auto f = hn::Sub(hn::Max(y, set(-126)), hn::Sub(shifted, set(12582912.0f)));
+  auto p = hn::MulAdd(set(0.0013266979f), f, set(0.0096754694f));
+  p = hn::MulAdd(p, f, set(0.055507427f));
+  p = hn::MulAdd(p, f, set(0.24022122f));
+  p = hn::MulAdd(p, f, set(0.69314695f));
+  p = hn::MulAdd(p, f, set(1.0f));
+  return hn::BitCast(d, hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(hn::BitCast(di, shifted))));
 }
 
-void Amplify(int n, std::span<const float> response, float scale, const float* voltage,
-             const float* narrow_table, const float* wide_table, float* narrow, float* wide) {
+void Amplify(int n, std::span<const float> response, const GunLaw& law, const float* voltage,
+             float* narrow, float* wide) {
   for_each_vector(n, [=](auto d, int i) {
+    const auto set = [d](float v) { return hn::Set(d, v); };
     auto sum = hn::Zero(d);
     for (std::size_t t = 0; t < response.size(); ++t) {
-      sum = hn::MulAdd(hn::Set(d, response[t]),
-                       hn::LoadU(d, voltage + i + static_cast<std::ptrdiff_t>(t)), sum);
+      sum = hn::MulAdd(set(response[t]), hn::LoadU(d, voltage + i + static_cast<std::ptrdiff_t>(t)),
+                       sum);
     }
-    const auto at = hn::Mul(sum, hn::Set(d, scale));
-    const hn::RebindToSigned<decltype(d)> di;
-    const auto whole = hn::ConvertTo(di, at);
-    const auto share = hn::Sub(at, hn::ConvertTo(d, whole));
-    StoreDose(d, narrow_table, whole, share, narrow + i);
-    StoreDose(d, wide_table, whole, share, wide + i);
+    const auto grid = hn::MulAdd(sum, set(law.contrast), set(law.brightness));
+    const auto root = hn::IfThenElseZero(
+        hn::Gt(grid, set(1e-6f)), power_of(d, hn::Max(grid, set(1e-6f)), law.third_of_gamma));
+    const auto current = hn::Mul(root, hn::Mul(root, root));
+    const auto free_sigma = hn::MulAdd(root, set(law.growth), set(law.least));
+    const auto sigma = hn::Min(hn::Max(free_sigma, set(law.narrow)), set(law.wide));
+    const auto share =
+        hn::Sub(set(law.at_wide), hn::Div(set(law.by_square), hn::Mul(sigma, sigma)));
+    const auto in_wide = hn::Mul(current, share);
+    hn::StoreU(in_wide, d, wide + i);
+    hn::StoreU(hn::Sub(current, in_wide), d, narrow + i);
   });
 }
 
@@ -161,10 +184,9 @@ void excite_dose(int n, const float* old_weight, float even, const float* new_we
   HWY_DYNAMIC_DISPATCH(ExciteDose)(n, old_weight, even, new_weight, new_dose, dose, light);
 }
 
-void amplify(int n, std::span<const float> response, float scale, const float* voltage,
-             const float* narrow_table, const float* wide_table, float* narrow, float* wide) {
-  HWY_DYNAMIC_DISPATCH(Amplify)
-  (n, response, scale, voltage, narrow_table, wide_table, narrow, wide);
+void amplify(int n, std::span<const float> response, const GunLaw& law, const float* voltage,
+             float* narrow, float* wide) {
+  HWY_DYNAMIC_DISPATCH(Amplify)(n, response, law, voltage, narrow, wide);
 }
 
 void add_rows(int n, const float* a, const float* b, float* sum) {

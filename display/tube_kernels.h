@@ -31,10 +31,18 @@ void excite_slow_term(int n, const SlowTermStep& step, const float* old_dose, fl
 void excite_dose(int n, const float* old_weight, float even, const float* new_weight,
                  const float* new_dose, float* dose, float* light);
 
-/// The amplifier: voltage[i .. i + response.size()) times response, and the doses of the result, by
-/// chords over tables of samples at whole numbers of voltage * scale; at most 2 beyond their end.
-void amplify(int n, std::span<const float> response, float scale, const float* voltage,
-             const float* narrow_table, const float* wide_table, float* narrow, float* wide);
+/// The gun's and the spot's laws: current = (contrast * drive + brightness)^gamma, its spot's
+/// deviation = least + growth * current^(1/3), bounded; of the current, the wide Gaussian draws
+/// at_wide - by_square / deviation^2.
+struct GunLaw {
+  float contrast, brightness;  ///< of a drive from 0 to 255
+  float third_of_gamma;
+  float least, growth, narrow, wide;  ///< deviations
+  float at_wide, by_square;
+};
+/// The amplifier: voltage[i .. i + response.size()) times response, and the doses of the result.
+void amplify(int n, std::span<const float> response, const GunLaw& law, const float* voltage,
+             float* narrow, float* wide);
 
 /// sum[i] += a[i] + b[i]
 void add_rows(int n, const float* a, const float* b, float* sum);

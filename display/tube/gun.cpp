@@ -4,13 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "display/tube_kernels.h"
-
 namespace kinescope {
 namespace {
 
 constexpr int kCodes = 256;
-constexpr int kChords = 1024;
 
 /// A Gaussian low-pass that passes 1/sqrt(2) at the bandwidth; its delay is the deflection's too.
 std::vector<float> gaussian_response(double bandwidth_hz, double pixel_clock_hz) {
@@ -54,10 +51,21 @@ Gun::Gun(const GunSettings& settings, const SpotModel& spot, double pixel_clock_
       spot_(spot),
       response_(gaussian_response(settings.bandwidth_hz, pixel_clock_hz)) {
   for (int code = 0; code < kCodes; ++code) of_code_.push_back(dose(code / 255.0));
-  for (int i = 0; i <= kChords + 1; ++i) {
-    const Dose d = dose(static_cast<double>(i) / kChords);
-    narrow_.push_back(d.narrow);
-    wide_.push_back(d.wide);
+  const auto as_float = [](double v) { return static_cast<float>(v); };
+  law_.contrast = as_float(settings.contrast / 255);
+  law_.brightness = as_float(settings.brightness);
+  law_.third_of_gamma = as_float(settings.gamma / 3);
+  const double none = std::max(spot.sigma_mm(0), 1e-6);
+  law_.least = as_float(none);
+  law_.growth = as_float(spot.sigma_mm(1) - none);
+  const double narrow = std::max(spot.narrow_mm(), none), wide = std::max(spot.wide_mm(), none);
+  law_.narrow = as_float(narrow);
+  law_.wide = as_float(wide);
+  if (wide > narrow * (1 + 1e-9)) {
+    // As SpotModel::wide_part has it.
+    const double between = 1 / (narrow * narrow) - 1 / (wide * wide);
+    law_.at_wide = as_float(1 / (narrow * narrow) / between);
+    law_.by_square = as_float(1 / between);
   }
 }
 
@@ -88,8 +96,7 @@ void Gun::doses(std::span<const GunDrive> drives, Signal signal, std::span<float
   if (pad == 0) return;
   std::fill_n(voltage.begin(), pad, 0.0f);
   std::fill_n(voltage.begin() + static_cast<std::ptrdiff_t>(pad + n), pad, 0.0f);
-  amplify(static_cast<int>(n), response_, kChords / 255.0f, voltage.data(), narrow_.data(),
-          wide_.data(), narrow, wide);
+  amplify(static_cast<int>(n), response_, law_, voltage.data(), narrow, wide);
 }
 
 }  // namespace kinescope

@@ -8,6 +8,7 @@
 #include "display/frame_buffer.h"
 #include "display/tube/settings.h"
 #include "display/tube/spot.h"
+#include "display/tube_kernels.h"
 
 namespace kinescope {
 
@@ -36,9 +37,9 @@ class Gun {
 
   GunSettings settings_;
   SpotModel spot_;
-  std::vector<float> response_;       // of the amplifier, a pixel clock each, around its middle
-  std::vector<Dose> of_code_;         // of the 256 drives
-  std::vector<float> narrow_, wide_;  // chords over [0, 1], kChords of them
+  std::vector<float> response_;  // of the amplifier, a pixel clock each, around its middle
+  std::vector<Dose> of_code_;    // of the 256 drives
+  GunLaw law_{};                 // the same for drives between them
 };
 
 }  // namespace kinescope

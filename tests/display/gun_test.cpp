@@ -69,6 +69,30 @@ TEST(Gun, AmplifierPassesHalfThePowerAtItsBandwidth) {
   EXPECT_NEAR(swing(3.07e6, 0.2e6), 1, 0.02);
 }
 
+TEST(Gun, BothRoadsFollowOneLaw) {
+  // Every drive, flat over the amplifier's memory: the table of codes and the powers agree.
+  for (const double gamma : {1.0, 2.35, 3.1}) {
+    GunSettings settings;
+    settings.gamma = gamma;
+    settings.contrast = 1.1;
+    settings.brightness = -0.05;
+    GunSettings slow = settings;
+    slow.bandwidth_hz = 20e6;
+    const SpotModel spot(SpotSettings{});
+    const Gun by_table(settings, spot, kClock), by_power(slow, spot, kClock);
+    ASSERT_GT(by_power.reach(), 0);
+    for (int code = 0; code < 256; ++code) {
+      const auto c = static_cast<std::uint8_t>(code);
+      const std::vector<GunDrive> drives(32, GunDrive{c, c, c});
+      std::vector<float> voltage(100), narrow(64), wide(64);
+      by_table.doses(drives, Signal::kRed, voltage, narrow.data(), wide.data());
+      by_power.doses(drives, Signal::kRed, voltage, narrow.data() + 32, wide.data() + 32);
+      ASSERT_NEAR(narrow[16], narrow[48], 1e-4) << code;
+      ASSERT_NEAR(wide[16], wide[48], 1e-4) << code;
+    }
+  }
+}
+
 TEST(Gun, AFineStripeDarkens) {
   std::vector<GunDrive> stripes;
   for (int i = 0; i < 200; ++i) {
