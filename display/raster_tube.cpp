@@ -10,6 +10,7 @@
 #include "display/layer_colours.h"
 #include "display/phosphor_layer.h"
 #include "display/tube/gun.h"
+#include "display/tube/retrace_light.h"
 #include "display/tube/screen.h"
 
 namespace kinescope {
@@ -135,6 +136,8 @@ struct RasterTube::State {
   int settling_frames = 0;         // until the light of a still picture is steady
   int width = 0, height = 0;       // of the output
   std::shared_ptr<Screen> screen;  // follows from the settings and the size
+  std::shared_ptr<RetraceLight> retrace_light;
+  BeamTime begun;  // when the last exposure began
   TubeWork work;
 };
 
@@ -160,6 +163,9 @@ void RasterTube::State::set_size(int new_width, int new_height) {
   width = new_width;
   height = new_height;
   screen = std::make_shared<Screen>(settings, screen_layers, width, height);
+  retrace_light =
+      std::make_shared<RetraceLight>(settings, gun.current(-settings.gun.blanking), screen_layers,
+                                     find_phosphor(settings.phosphor).layers, width, height);
   work = TubeWork();
 }
 
@@ -302,6 +308,7 @@ bool RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& worker
   work.times = {};
   Stopwatch watch;
   fresh = true;
+  begun = now;
   do {
     const BeamTime cut = std::min(until, now + scan.frame_clocks());
     read_buffer(buffer, cut, workers);
@@ -346,6 +353,7 @@ const Image<LinearRgb>& RasterTube::expose(FrameBuffer& buffer, Seconds end, Wor
   State& s = *state_;
   s.gather(buffer, end, workers);
   Stopwatch watch;
+  s.screen->set_overlay(&s.retrace_light->light(s.begun, s.now, workers));
   s.work.times.glow = s.screen->show(s.work.light, workers, false, s.work.picture);
   s.work.times.glass = watch.lap() - s.work.times.glow;
   return s.work.picture;
@@ -362,6 +370,7 @@ bool RasterTube::photograph(FrameBuffer& buffer, Seconds end, Workers& workers,
                     std::exchange(s.work.printed_gain, print.gain) == print.gain;
   if (!changed && same && print.kept) return false;
   Stopwatch watch;
+  s.screen->set_overlay(&s.retrace_light->light(s.begun, s.now, workers));
   s.work.times.glow =
       s.screen->photograph(s.work.light, workers, print.gain, print.out, print.left, print.top);
   s.work.times.glass = watch.lap() - s.work.times.glow;

@@ -18,6 +18,7 @@ constexpr std::array kNumbers{
     TubeNumber{"gun.gamma", "", 0.5, 5, AT(gun.gamma), "current = drive ^ gamma"},
     TubeNumber{"gun.contrast", "", 0, 4, AT(gun.contrast), "gain of the video amplifier"},
     TubeNumber{"gun.brightness", "", -1, 1, AT(gun.brightness), "added to the drive"},
+    TubeNumber{"gun.blanking", "", 0, 2, AT(gun.blanking), "how far below black retrace is driven"},
     TubeNumber{"gun.bandwidth", "Hz", 0, 1e10, AT(gun.bandwidth_hz), "video; 0 is unlimited"},
     TubeNumber{"spot.sigma", "mm", 0, 20, AT(spot.sigma_mm), "deviation at white"},
     TubeNumber{"spot.least", "", 0.6, 1, AT(spot.least), "share of it left at no current"},

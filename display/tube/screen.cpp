@@ -46,6 +46,7 @@ struct Screen::State {
   int tile_columns;
   std::vector<Raster> rasters;  // a gun each
   bool lines_alike = false;     // of all guns
+  const std::vector<std::vector<float>>* overlay = nullptr;
   ShadowMask mask;
   Halation halation;
   std::vector<Scratch> scratch;
@@ -113,6 +114,11 @@ void Screen::State::draw_tile(std::span<const LayerLight> light, Scratch& s, int
             raster.spread_row(light[layer], s.ring[layer], y, s.row[layer].data());
           },
           raster_of(layer));
+      if (overlay) {
+        const float* const over =
+            (*overlay)[layer].data() + static_cast<std::ptrdiff_t>(y) * width + x;
+        for (int i = 0; i < n; ++i) s.row[layer][static_cast<std::size_t>(i)] += over[i];
+      }
     }
     set_row(row, s, x, y);
     finish(row, x, y, n);
@@ -140,6 +146,10 @@ Screen::Screen(const TubeSettings& settings, std::span<const ScreenLayer> layers
 Screen::~Screen() = default;
 Screen::Screen(Screen&&) noexcept = default;
 Screen& Screen::operator=(Screen&&) noexcept = default;
+
+void Screen::set_overlay(const std::vector<std::vector<float>>* overlay) {
+  state_->overlay = overlay && !overlay->empty() ? overlay : nullptr;
+}
 
 double Screen::show(std::span<const LayerLight> light, Workers& workers, bool add,
                     Image<LinearRgb>& out) {

@@ -29,6 +29,8 @@ class Screen {
   Screen& operator=(Screen&&) noexcept;
 
   /// The light of every output pixel; white over one refresh is 1.
+  /// Light that lies over the raster's from now on, the screen's size for each layer; empty: none.
+  void set_overlay(const std::vector<std::vector<float>>* overlay);
   /// @param add to what `out` holds; else it is given the screen's size and overwritten
   /// @return ms of it that halation took
   double show(std::span<const LayerLight> light, Workers& workers, bool add, Image<LinearRgb>& out);

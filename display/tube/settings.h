@@ -25,6 +25,7 @@ struct GunSettings {
   double gamma = 2.35;      ///< current = drive ^ gamma (EBU Tech 3273: 2.35)
   double contrast = 1;      ///< gain of the video amplifier
   double brightness = 0;    ///< added to the drive, white being 1
+  double blanking = 0.15;   ///< how far below black retrace blanking drives the guns
   double bandwidth_hz = 0;  ///< of the video amplifier, where it passes 1/sqrt(2); 0: unlimited
 };
 
