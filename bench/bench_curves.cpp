@@ -9,6 +9,7 @@
 #include <map>
 
 #include "bench/peer_llvmpipe.h"
+#include "bench/program.h"
 #include "bench/statistics.h"
 #include "bench/workload_kinds.h"
 #include "engine/renderer.h"
@@ -166,10 +167,5 @@ int run(int argc, char** argv) {
 }  // namespace kinescope::bench
 
 int main(int argc, char** argv) {
-  try {
-    return kinescope::bench::run(argc, argv);
-  } catch (const kinescope::Error& error) {
-    std::fprintf(stderr, "bench_curves: %s\n", error.what());
-    return error.exit_code();
-  }
+  return kinescope::bench::run_program("bench_curves", kinescope::bench::run, argc, argv);
 }

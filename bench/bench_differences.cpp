@@ -6,6 +6,7 @@
 
 #include "bench/difference_kinds.h"
 #include "bench/peer_llvmpipe.h"
+#include "bench/program.h"
 #include "raster/base/error.h"
 
 namespace kinescope::bench {
@@ -76,10 +77,5 @@ int run(int argc, char** argv) {
 }  // namespace kinescope::bench
 
 int main(int argc, char** argv) {
-  try {
-    return kinescope::bench::run(argc, argv);
-  } catch (const kinescope::Error& error) {
-    std::fprintf(stderr, "bench_differences: %s\n", error.what());
-    return error.exit_code();
-  }
+  return kinescope::bench::run_program("bench_differences", kinescope::bench::run, argc, argv);
 }

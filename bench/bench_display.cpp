@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/program.h"
 #include "bench/statistics.h"
 #include "demos/json.h"
 #include "demos/options.h"
@@ -229,10 +230,5 @@ int run(int argc, char** argv) {
 }  // namespace kinescope::bench
 
 int main(int argc, char** argv) {
-  try {
-    return kinescope::bench::run(argc, argv);
-  } catch (const kinescope::Error& error) {
-    std::fprintf(stderr, "bench_display: %s\n", error.what());
-    return error.exit_code();
-  }
+  return kinescope::bench::run_program("bench_display", kinescope::bench::run, argc, argv);
 }

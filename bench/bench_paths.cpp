@@ -13,6 +13,7 @@
 
 #include "bench/peer_agg.h"
 #include "bench/peer_cairo.h"
+#include "bench/program.h"
 #include "bench/statistics.h"
 #include "bench/svg_fills.h"
 #include "raster/base/error.h"
@@ -239,10 +240,5 @@ int run_all(int argc, char** argv) {
 }  // namespace kinescope::bench
 
 int main(int argc, char** argv) {
-  try {
-    return kinescope::bench::run_all(argc, argv);
-  } catch (const kinescope::Error& error) {
-    std::fprintf(stderr, "bench_paths: %s\n", error.what());
-    return error.exit_code();
-  }
+  return kinescope::bench::run_program("bench_paths", kinescope::bench::run_all, argc, argv);
 }

@@ -7,6 +7,7 @@
 #include "bench/peer_llvmpipe.h"
 #include "bench/peer_report.h"
 #include "bench/peer_rows.h"
+#include "bench/program.h"
 #include "raster/base/error.h"
 
 namespace kinescope::bench {
@@ -132,10 +133,5 @@ int run_all(int argc, char** argv) {
 }  // namespace kinescope::bench
 
 int main(int argc, char** argv) {
-  try {
-    return kinescope::bench::run_all(argc, argv);
-  } catch (const kinescope::Error& error) {
-    std::fprintf(stderr, "bench_peers: %s\n", error.what());
-    return error.exit_code();
-  }
+  return kinescope::bench::run_program("bench_peers", kinescope::bench::run_all, argc, argv);
 }
