@@ -102,7 +102,8 @@ void add_display(CLI::App& app, PictureOptions& picture, bool or_bare) {
       "the tube that shows the picture, a .txt file or one of " + known + " (default: " +
           tube_presets().front().name + ")" + (or_bare ? "; none is a bare render" : ""),
       [&picture, or_bare](const std::string& text, const std::string&) {
-        if (!or_bare || text != "none") find_tube_preset(text);
+        // A file is read later, so that what is wrong in it is no fault of the command line.
+        if (!names_preset_file(text) && (!or_bare || text != "none")) find_tube_preset(text);
         picture.display = text;
       });
   add(app, "--set", "KEY=VALUE",

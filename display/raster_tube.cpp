@@ -114,6 +114,7 @@ struct RasterTube::State {
   void prepare(Workers& workers);
   bool gather(FrameBuffer& buffer, Seconds end, Workers& workers);
   bool is_steady(BeamTime length);
+  void set_up_screen(Workers& workers);
   bool reuses_line(const std::vector<GunDrive>& drives, const LineRanges& ranges, int line);
   void read_buffer(FrameBuffer& buffer, BeamTime end, Workers& workers);
   void read_lines(const FrameBuffer& buffer, BeamTime begin, BeamTime end, Workers& workers);
@@ -324,6 +325,12 @@ bool RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& worker
   return true;
 }
 
+/// What the exposure from `begun` to now sees besides the raster.
+void RasterTube::State::set_up_screen(Workers& workers) {
+  screen->set_overlay(&retrace_light->light(begun, now, workers));
+  screen->set_length(to_clocks(now - begun) / to_clocks(scan.frame_clocks()));
+}
+
 RasterTube::RasterTube(const TubeSettings& settings, int width, int height)
     : state_(std::make_unique<State>(settings, width, height)) {}
 RasterTube::RasterTube(const RasterTube& other) : state_(std::make_unique<State>(*other.state_)) {}
@@ -353,7 +360,7 @@ const Image<LinearRgb>& RasterTube::expose(FrameBuffer& buffer, Seconds end, Wor
   State& s = *state_;
   s.gather(buffer, end, workers);
   Stopwatch watch;
-  s.screen->set_overlay(&s.retrace_light->light(s.begun, s.now, workers));
+  s.set_up_screen(workers);
   s.work.times.glow = s.screen->show(s.work.light, workers, false, s.work.picture);
   s.work.times.glass = watch.lap() - s.work.times.glow;
   return s.work.picture;
@@ -370,7 +377,7 @@ bool RasterTube::photograph(FrameBuffer& buffer, Seconds end, Workers& workers,
                     std::exchange(s.work.printed_gain, print.gain) == print.gain;
   if (!changed && same && print.kept) return false;
   Stopwatch watch;
-  s.screen->set_overlay(&s.retrace_light->light(s.begun, s.now, workers));
+  s.set_up_screen(workers);
   s.work.times.glow =
       s.screen->photograph(s.work.light, workers, print.gain, print.out, print.left, print.top);
   s.work.times.glass = watch.lap() - s.work.times.glow;

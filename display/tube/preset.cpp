@@ -154,13 +154,17 @@ std::span<const TubePreset> tube_presets() {
   return all;
 }
 
+bool names_preset_file(std::string_view name) {
+  return name.find('/') != std::string_view::npos || name.ends_with(".txt");
+}
+
 TubePreset find_tube_preset(const std::string& name) {
   std::string known;
   for (const TubePreset& preset : tube_presets()) {
     if (preset.name == name) return preset;
     known += ", " + preset.name;
   }
-  if (name.find('/') != std::string::npos || name.ends_with(".txt")) {
+  if (names_preset_file(name)) {
     return parse_tube_preset(read_whole(name), name, name);
   }
   throw Error(

@@ -19,7 +19,9 @@ struct TubePreset {
 
 /// The built-in presets; the first is the default.
 std::span<const TubePreset> tube_presets();
-/// A built-in preset by name, or one read from a file whose path holds a '/' or ends in ".txt".
+/// Whether a name is a preset file's: its path holds a '/' or ends in ".txt".
+bool names_preset_file(std::string_view name);
+/// A built-in preset by name, or one read from a file.
 /// @throws Error (usage) naming the presets there are, or (bad input) naming the file and line
 TubePreset find_tube_preset(const std::string& name);
 

@@ -47,6 +47,7 @@ struct Screen::State {
   std::vector<Raster> rasters;  // a gun each
   bool lines_alike = false;     // of all guns
   const std::vector<std::vector<float>>* overlay = nullptr;
+  double refreshes = 1;
   ShadowMask mask;
   Halation halation;
   std::vector<Scratch> scratch;
@@ -85,7 +86,7 @@ FinishRow Screen::State::finish_row(float gain) const {
       row.colour[layer][c] = layers[layer].colour[c] * kept * static_cast<float>(glass.tint[c]);
     }
   }
-  for (float& a : row.ambient) a = gain * static_cast<float>(glass.ambient);
+  for (float& a : row.ambient) a = gain * static_cast<float>(glass.ambient * refreshes);
   return row;
 }
 
@@ -150,6 +151,8 @@ Screen& Screen::operator=(Screen&&) noexcept = default;
 void Screen::set_overlay(const std::vector<std::vector<float>>* overlay) {
   state_->overlay = overlay && !overlay->empty() ? overlay : nullptr;
 }
+
+void Screen::set_length(double refreshes) { state_->refreshes = refreshes; }
 
 double Screen::show(std::span<const LayerLight> light, Workers& workers, bool add,
                     Image<LinearRgb>& out) {

@@ -29,6 +29,8 @@ class Screen {
   Screen& operator=(Screen&&) noexcept;
 
   /// The light of every output pixel; white over one refresh is 1.
+  /// How long the next exposures last, in refreshes: so much of the room's light comes in.
+  void set_length(double refreshes);
   /// Light that lies over the raster's from now on, the screen's size for each layer; empty: none.
   void set_overlay(const std::vector<std::vector<float>>* overlay);
   /// @param add to what `out` holds; else it is given the screen's size and overwritten

@@ -419,6 +419,18 @@ TEST(RasterTube, AStillPictureIsDrawnOnceAndStaysExact) {
   }
 }
 
+TEST(RasterTube, TheRoomsLightComesInAsLongAsTheShutterIsOpen) {
+  const VideoMode mode = tiny_mode();
+  FrameBuffer buffer = buffer_for(mode);
+  TubeSettings settings{mode};
+  settings.glass.ambient = 0.02;
+  RasterTube tube(settings, 20, 20);
+  Workers workers(1);
+  EXPECT_NEAR(tube.expose(buffer, mode.frame_period(), workers).at(3, 3).g, 0.02, 1e-6);
+  EXPECT_NEAR(tube.expose(buffer, 1.25 * mode.frame_period(), workers).at(3, 3).g, 0.005, 1e-6);
+  EXPECT_NEAR(tube.expose(buffer, 4.25 * mode.frame_period(), workers).at(3, 3).g, 0.06, 1e-6);
+}
+
 TEST(RasterTube, RefusesWhatIsNoTube) {
   EXPECT_THROW(RasterTube({tiny_mode(), "P99"}, 8, 8), Error);
   VideoMode broken = tiny_mode();
