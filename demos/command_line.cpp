@@ -112,7 +112,8 @@ void add_display(CLI::App& app, PictureOptions& picture, bool or_bare) {
         TubeSettings scratch = tube_presets().front().settings;
         override_tube_setting(scratch, text);
         picture.changes.push_back(text);
-      });
+      })
+      ->trigger_on_parse();  // each time that it is given
 }
 
 void add_depth(CLI::App& app, PictureOptions& picture) {

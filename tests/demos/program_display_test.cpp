@@ -100,6 +100,24 @@ TEST_F(ProgramDisplay, APictureLooksLikeItself) {
   }
 }
 
+TEST_F(ProgramDisplay, EverySettingThatIsGivenCounts) {
+  const auto shown = [&](std::vector<std::string> changes) {
+    std::vector<std::string> arguments = {"pattern:dots", "--quiet", "--size",
+                                          "160x120",      "-o",      "set.png"};
+    for (const std::string& change : changes) {
+      arguments.insert(arguments.end(), {"--set", change});
+    }
+    good(arguments);
+    const Image<Srgb8> picture = read_image_file(folder_ / "set.png");
+    return std::vector<Srgb8>(picture.pixels().begin(), picture.pixels().end());
+  };
+  const std::string narrow = "deflection.width=50%", low = "deflection.height=50%";
+  const auto both = shown({narrow, low});
+  EXPECT_EQ(both, shown({low, narrow}));
+  EXPECT_NE(both, shown({narrow}));
+  EXPECT_NE(both, shown({low}));
+}
+
 TEST_F(ProgramDisplay, EveryWayInGivesTheSamePicture) {
   const Image<Srgb8> original = painting(160, 120);
   write_png(folder_ / "in.png", original);
