@@ -117,20 +117,40 @@ struct CurvePlace {
   Floats narrow_step, wide_step;  // deviations a cell
 };
 
-template <int kTaps>
-HWY_INLINE Pair CurvedSum(const CurvePlace& place, CellRows cells) {
-  const auto first = hn::ConvertTo(di, place.start);
-  const int base = hn::GetLane(first);
-  const auto lane =
-      hn::IndicesFromVec(d, hn::Min(hn::Sub(first, hn::Set(di, base)), hn::Set(di, lanes() - 1)));
+/// Cells that lie within a vector of the first column's.
+struct NearCells {
+  NearCells(CellRows rows, hn::VFromD<decltype(di)> first)
+      : cells(rows),
+        base(hn::GetLane(first)),
+        lane(hn::IndicesFromVec(d, hn::Sub(first, hn::Set(di, base)))) {}
+  Floats narrow(int tap) const { return at(cells.narrow + base + tap); }
+  Floats wide(int tap) const { return at(cells.wide + base + tap); }
+  Floats at(const float* from) const { return hn::TableLookupLanes(hn::LoadU(d, from), lane); }
+
+  CellRows cells;
+  int base;
+  decltype(hn::IndicesFromVec(d, hn::Zero(di))) lane;
+};
+
+/// Cells further apart than that.
+struct FarCells {
+  FarCells(CellRows rows, hn::VFromD<decltype(di)> first) : cells(rows), start(first) {}
+  Floats narrow(int tap) const { return hn::GatherIndex(d, cells.narrow + tap, start); }
+  Floats wide(int tap) const { return hn::GatherIndex(d, cells.wide + tap, start); }
+
+  CellRows cells;
+  hn::VFromD<decltype(di)> start;
+};
+
+template <int kTaps, typename Cells>
+HWY_INLINE Pair CurvedSum(const CurvePlace& place, const Cells& cells) {
   const Floats before = hn::Sub(place.start, place.cell);
   Floats narrow_z = hn::Mul(before, place.narrow_step), wide_z = hn::Mul(before, place.wide_step);
   Floats narrow_below = normal_below(narrow_z), wide_below = normal_below(wide_z);
   Pair sum{hn::Zero(d), hn::Zero(d)};
 #pragma GCC unroll 6
   for (int t = 0; t < kTaps; ++t) {
-    const Floats n = hn::TableLookupLanes(hn::LoadU(d, cells.narrow + base + t), lane);
-    const Floats w = hn::TableLookupLanes(hn::LoadU(d, cells.wide + base + t), lane);
+    const Floats n = cells.narrow(t), w = cells.wide(t);
     sum.narrow =
         hn::MulAdd(n, share_between(narrow_below, narrow_z, place.narrow_step), sum.narrow);
     sum.wide = hn::MulAdd(w, share_between(wide_below, wide_z, place.wide_step), sum.wide);
@@ -156,7 +176,9 @@ HWY_INLINE void AlongCurve(const AcrossCurve& curve, CellRows cells, SpreadRows 
           hn::MulAdd(set(slope), hn::Add(ramp, set(static_cast<float>(x))), set(curve.cell[group]));
       const Floats start = hn::Floor(hn::Sub(place.cell, set(0.5f * kTaps - 0.5f)));
       place.start = hn::Min(hn::Max(start, least), most);
-      const Pair sum = CurvedSum<kTaps>(place, cells);
+      const auto first = hn::ConvertTo(di, place.start);
+      const Pair sum = slope <= 1 ? CurvedSum<kTaps>(place, NearCells(cells, first))
+                                  : CurvedSum<kTaps>(place, FarCells(cells, first));
       hn::StoreU(hn::Mul(sum.narrow, gain), d, out.narrow + group * kGroup + x);
       hn::StoreU(hn::Mul(sum.wide, gain), d, out.wide + group * kGroup + x);
     }

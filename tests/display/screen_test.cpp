@@ -210,5 +210,42 @@ TEST(Screen, HalationTakesFromALightAndGivesToItsSurroundings) {
   EXPECT_GT(lit, 1e-3);
 }
 
+/// The picture of one lit cell: how much light, and where its middle lies, output pixels.
+struct Blob {
+  double light = 0, x = 0;
+};
+Blob blob_of_cell(const TubeSettings& settings, int cell, int width, int height) {
+  std::vector<LayerLight> light;
+  for (int gun = 0; gun < 3; ++gun) {
+    light.push_back({{kCells, kLines}, {kCells, kLines}});
+    light.back().narrow.line(kLines / 2)[cell] = 1;
+  }
+  Workers workers(1);
+  Image<LinearRgb> picture;
+  Screen(settings, kLayers, width, height).show(light, workers, false, picture);
+  Blob blob;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      blob.light += static_cast<double>(picture.at(x, y).g);
+      blob.x += static_cast<double>(picture.at(x, y).g) * (x + 0.5);
+    }
+  }
+  blob.x /= blob.light;
+  return blob;
+}
+
+TEST(Screen, ACurvedPictureWithFewerPixelsThanTheLineHasCellsLosesNone) {
+  TubeSettings settings = small_tube();
+  settings.deflection.rotation_deg = 1e-6;  // as good as straight
+  for (const int width : {44, 40, 32, 24}) {
+    for (int cell = 4; cell < kCells - 4; ++cell) {
+      const Blob blob = blob_of_cell(settings, cell, width, kHeight);
+      const double pixels = static_cast<double>(width * kHeight) / (kCells * kLines);
+      EXPECT_NEAR(blob.light, pixels, 0.1 * pixels) << width << " " << cell;
+      EXPECT_NEAR(blob.x, (cell + 0.5) * width / kCells, 0.15) << width << " " << cell;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kinescope
