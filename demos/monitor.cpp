@@ -51,6 +51,14 @@ void Monitor::resize(const Rect& room) {
   tube_.resize(static_cast<int>(face_.width), static_cast<int>(face_.height));
 }
 
+bool Monitor::adjust(const TubeSettings& settings, Seconds now) {
+  if (tube_.adjust(settings)) return true;
+  buffer_ = FrameBuffer(settings.mode.horizontal.active, settings.mode.vertical.active,
+                        buffer_.format(), kPages);
+  switch_on(now);
+  return false;
+}
+
 std::size_t Monitor::state_bytes() const {
   const auto pixels = static_cast<std::size_t>(face_.width * face_.height);
   const auto page =

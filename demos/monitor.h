@@ -28,6 +28,9 @@ class Monitor {
   Rate refresh() const { return scan().mode().frame_rate(); }
   std::size_t state_bytes() const;
   void resize(const Rect& room);
+  /// Turns the tube's knobs. Another mode or phosphor makes it another monitor: switched on at demo
+  /// time `now`, its frame buffer black. @return whether it is still the same one
+  bool adjust(const TubeSettings& settings, Seconds now);
   /// Where the active raster lies in the picture, whole pixels.
   const Rect& face() const { return face_; }
 

@@ -111,6 +111,8 @@ struct RasterTube::State {
   State(const TubeSettings& s, int new_width, int new_height);
 
   void set_size(int new_width, int new_height);
+  void turn_knobs(const TubeSettings& turned);
+  void build_front(const Screen* like);
   void prepare(Workers& workers);
   bool gather(FrameBuffer& buffer, Seconds end, Workers& workers);
   bool is_steady(BeamTime length);
@@ -163,7 +165,19 @@ void RasterTube::State::set_size(int new_width, int new_height) {
   assert(new_width > 0 && new_height > 0);
   width = new_width;
   height = new_height;
-  screen = std::make_shared<Screen>(settings, screen_layers, width, height);
+  build_front(nullptr);
+}
+
+void RasterTube::State::turn_knobs(const TubeSettings& turned) {
+  settings = turned;
+  gun = Gun(settings.gun, SpotModel(settings.spot), settings.mode.pixel_clock_hz);
+  build_front(screen.get());
+}
+
+/// What follows from the settings and the size.
+/// @param like the screen until now, if the size is still the same
+void RasterTube::State::build_front(const Screen* like) {
+  screen = std::make_shared<Screen>(settings, screen_layers, width, height, like);
   retrace_light =
       std::make_shared<RetraceLight>(settings, gun.current(-settings.gun.blanking), screen_layers,
                                      find_phosphor(settings.phosphor).layers, width, height);
@@ -353,6 +367,17 @@ void RasterTube::reset() {
 }
 
 void RasterTube::resize(int width, int height) { state_->set_size(width, height); }
+
+bool RasterTube::adjust(const TubeSettings& settings) {
+  const TubeSettings& now = state_->settings;
+  const bool keeps = settings.mode == now.mode && settings.phosphor == now.phosphor;
+  if (keeps) {
+    state_->turn_knobs(settings);
+  } else {
+    state_ = std::make_unique<State>(settings, state_->width, state_->height);
+  }
+  return keeps;
+}
 
 const RasterTube::Times& RasterTube::times() const { return state_->work.times; }
 

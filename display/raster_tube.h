@@ -34,6 +34,10 @@ class RasterTube {
   void reset();
   /// Changes the picture's size in output pixels; the phosphor keeps its state.
   void resize(int width, int height);
+  /// Turns the knobs. In the same mode, with the same phosphor, cells keep their light, and what
+  /// glows already moves with the raster (in life it stays where it was: to be lifted later).
+  /// @return whether that was so; else it is a new tube: dark, at time 0
+  bool adjust(const TubeSettings& settings);
 
   /// The light of [now, end), per output pixel, in refresh-periods of steady white: exposing one
   /// whole frame period of a steady white picture gives 1, averaged over scan lines and mask.

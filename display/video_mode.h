@@ -15,6 +15,7 @@ struct SyncTiming {
   int active = 0, front_porch = 0, sync = 0, back_porch = 0;
   bool positive_sync = false;
   constexpr int total() const { return active + front_porch + sync + back_porch; }
+  bool operator==(const SyncTiming&) const = default;
 };
 
 /// One modeline. Of an interlaced mode, vertical counts are of the whole frame (two fields), and
@@ -37,6 +38,7 @@ struct VideoMode {
   std::string modeline() const;
   /// @throws Error (usage) naming the interval that is zero, negative or absurd
   void check() const;
+  bool operator==(const VideoMode&) const = default;
 };
 
 /// The table of display/data/modes.txt.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <memory>
+#include <utility>
 #include <variant>
 
 #include "display/tube/deflection.h"
@@ -26,41 +28,24 @@ struct Scratch {
 
 using Finish = std::function<void(const FinishRow&, int x, int y, int n)>;
 
-}  // namespace
+/// Whether the camera sees the same glass.
+bool one_shape(const GlassSettings& a, const GlassSettings& b) {
+  return a.diagonal_mm == b.diagonal_mm && a.aspect == b.aspect &&
+         a.curvature_mm == b.curvature_mm && a.distance_mm == b.distance_mm;
+}
+bool one_mask(const TubeSettings& a, const TubeSettings& b) {
+  return one_shape(a.glass, b.glass) && a.mask == b.mask;
+}
+bool one_raster(const TubeSettings& a, const TubeSettings& b) {
+  return one_shape(a.glass, b.glass) && a.mode == b.mode && a.spot == b.spot &&
+         a.deflection == b.deflection;
+}
 
-struct Screen::State {
-  State(const TubeSettings& s, std::span<const ScreenLayer> its_layers, int w, int h);
-  double draw(std::span<const LayerLight> light, Workers& workers, float gain,
-              const Finish& finish);
-  void draw_tile(std::span<const LayerLight> light, Scratch& s, int x, int top, float gain,
-                 const Finish& finish) const;
-  FinishRow finish_row(float gain) const;
-  void set_row(FinishRow& row, const Scratch& s, int x, int y) const;
-  const Raster& raster_of(std::size_t layer) const {
-    return rasters[static_cast<std::size_t>(layers[layer].gun)];
-  }
-
-  GlassSettings glass;
-  std::vector<ScreenLayer> layers;
-  int width, height;
-  int tile_columns;
-  std::vector<Raster> rasters;  // a gun each
-  bool lines_alike = false;     // of all guns
-  const std::vector<std::vector<float>>* overlay = nullptr;
-  double refreshes = 1;
-  ShadowMask mask;
-  Halation halation;
-  std::vector<Scratch> scratch;
-};
-
-Screen::State::State(const TubeSettings& s, std::span<const ScreenLayer> its_layers, int w, int h)
-    : glass(s.glass), layers(its_layers.begin(), its_layers.end()), width(w), height(h) {
-  const RasterExtent extent{s.mode.horizontal.active, s.mode.vertical.active, w, h};
+std::shared_ptr<const std::vector<Raster>> make_rasters(const TubeSettings& s, int guns,
+                                                        bool straight, int width, int height) {
+  const RasterExtent extent{s.mode.horizontal.active, s.mode.vertical.active, width, height};
   const SpotModel spot(s.spot);
-  const bool straight = is_separable(s);
-  tile_columns = straight ? StraightRaster::kTileColumns : CurvedRaster::kTileColumns;
-  int guns = 0;
-  for (const ScreenLayer& layer : layers) guns = std::max(guns, layer.gun + 1);
+  std::vector<Raster> rasters;
   for (int gun = 0; gun < guns; ++gun) {
     if (straight) {
       rasters.emplace_back(std::in_place_type<StraightRaster>, s, spot, gun, extent);
@@ -68,11 +53,60 @@ Screen::State::State(const TubeSettings& s, std::span<const ScreenLayer> its_lay
       rasters.emplace_back(std::in_place_type<CurvedRaster>, s, spot, gun, extent);
     }
   }
+  return std::make_shared<const std::vector<Raster>>(std::move(rasters));
+}
+
+bool have_lines_alike(const std::vector<Raster>& rasters) {
   const auto* first = std::get_if<CurvedRaster>(&rasters.front());
-  lines_alike = first && std::all_of(rasters.begin(), rasters.end(), [&](const Raster& r) {
-                  return first->shares_lines_with(std::get<CurvedRaster>(r));
-                });
-  if (guns == 3) mask = ShadowMask(s.mask, s.glass, w, h);
+  return first && std::all_of(rasters.begin(), rasters.end(), [&](const Raster& r) {
+           return first->shares_lines_with(std::get<CurvedRaster>(r));
+         });
+}
+
+}  // namespace
+
+struct Screen::State {
+  State(const TubeSettings& s, std::span<const ScreenLayer> its_layers, int w, int h,
+        const State* like);
+  double draw(std::span<const LayerLight> light, Workers& workers, float gain,
+              const Finish& finish);
+  void draw_tile(std::span<const LayerLight> light, Scratch& s, int x, int top, float gain,
+                 const Finish& finish) const;
+  FinishRow finish_row(float gain) const;
+  void set_row(FinishRow& row, const Scratch& s, int x, int y) const;
+  const Raster& raster_of(std::size_t layer) const {
+    return (*rasters)[static_cast<std::size_t>(layers[layer].gun)];
+  }
+
+  TubeSettings settings;
+  std::vector<ScreenLayer> layers;
+  int width, height;
+  int tile_columns;
+  std::shared_ptr<const std::vector<Raster>> rasters;  // a gun each
+  bool lines_alike = false;                            // of all guns
+  const std::vector<std::vector<float>>* overlay = nullptr;
+  double refreshes = 1;
+  std::shared_ptr<const ShadowMask> mask;
+  Halation halation;
+  std::vector<Scratch> scratch;
+};
+
+Screen::State::State(const TubeSettings& s, std::span<const ScreenLayer> its_layers, int w, int h,
+                     const State* like)
+    : settings(s), layers(its_layers.begin(), its_layers.end()), width(w), height(h) {
+  int guns = 0;
+  for (const ScreenLayer& layer : layers) guns = std::max(guns, layer.gun + 1);
+  const bool alike = like != nullptr && like->width == w && like->height == h &&
+                     like->rasters->size() == static_cast<std::size_t>(guns);
+  const bool straight = is_separable(s);
+  tile_columns = straight ? StraightRaster::kTileColumns : CurvedRaster::kTileColumns;
+  rasters = alike && one_raster(like->settings, s) ? like->rasters
+                                                   : make_rasters(s, guns, straight, w, h);
+  lines_alike = have_lines_alike(*rasters);
+  mask = alike && one_mask(like->settings, s)
+             ? like->mask
+             : std::make_shared<ShadowMask>(guns == 3 ? ShadowMask(s.mask, s.glass, w, h)
+                                                      : ShadowMask());
   halation = Halation(s, w, h);
 }
 
@@ -80,20 +114,21 @@ Screen::State::State(const TubeSettings& s, std::span<const ScreenLayer> its_lay
 FinishRow Screen::State::finish_row(float gain) const {
   FinishRow row;
   row.layers = static_cast<int>(layers.size());
-  const float kept = (1 - halation.share()) * gain / mask.one();
+  const float kept = (1 - halation.share()) * gain / mask->one();
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     for (std::size_t c = 0; c < 3; ++c) {
-      row.colour[layer][c] = layers[layer].colour[c] * kept * static_cast<float>(glass.tint[c]);
+      row.colour[layer][c] =
+          layers[layer].colour[c] * kept * static_cast<float>(settings.glass.tint[c]);
     }
   }
-  for (float& a : row.ambient) a = gain * static_cast<float>(glass.ambient * refreshes);
+  for (float& a : row.ambient) a = gain * static_cast<float>(settings.glass.ambient * refreshes);
   return row;
 }
 
 void Screen::State::set_row(FinishRow& row, const Scratch& s, int x, int y) const {
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     row.light[layer] = s.row[layer].data();
-    row.mask[layer] = mask.row(layers[layer].gun, y, x);
+    row.mask[layer] = mask->row(layers[layer].gun, y, x);
     row.glow_share = halation.rows(layer, y, x, row.glow_above[layer], row.glow_below[layer]);
   }
 }
@@ -130,7 +165,7 @@ double Screen::State::draw(std::span<const LayerLight> light, Workers& workers, 
                            const Finish& finish) {
   scratch.resize(static_cast<std::size_t>(workers.count()));
   const auto began = std::chrono::steady_clock::now();
-  halation.gather(light, mask.one(), workers);
+  halation.gather(light, mask->one(), workers);
   const std::chrono::duration<double, std::milli> glow = std::chrono::steady_clock::now() - began;
   const int across = (width + tile_columns - 1) / tile_columns;
   const int down = (height + kTileRows - 1) / kTileRows;
@@ -142,8 +177,9 @@ double Screen::State::draw(std::span<const LayerLight> light, Workers& workers, 
 }
 
 Screen::Screen(const TubeSettings& settings, std::span<const ScreenLayer> layers, int width,
-               int height)
-    : state_(std::make_unique<State>(settings, layers, width, height)) {}
+               int height, const Screen* like)
+    : state_(std::make_unique<State>(settings, layers, width, height,
+                                     like == nullptr ? nullptr : like->state_.get())) {}
 Screen::~Screen() = default;
 Screen::Screen(Screen&&) noexcept = default;
 Screen& Screen::operator=(Screen&&) noexcept = default;

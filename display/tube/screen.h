@@ -23,7 +23,9 @@ struct ScreenLayer {
 class Screen {
  public:
   /// @param layers one to three
-  Screen(const TubeSettings& settings, std::span<const ScreenLayer> layers, int width, int height);
+  /// @param like what follows from the same settings and size is shared with it
+  Screen(const TubeSettings& settings, std::span<const ScreenLayer> layers, int width, int height,
+         const Screen* like = nullptr);
   ~Screen();
   Screen(Screen&&) noexcept;
   Screen& operator=(Screen&&) noexcept;

@@ -18,6 +18,7 @@ struct GlassSettings {
   double halation_mm = 4;    ///< standard deviation of that spread
   double ambient = 0;        ///< light of the room that the screen gives back, as a share of white
   std::array<double, 3> tint{1, 1, 1};  ///< transmission of red, green, blue
+  bool operator==(const GlassSettings&) const = default;
 };
 
 /// From the video signal to beam current.
@@ -27,6 +28,7 @@ struct GunSettings {
   double brightness = 0;    ///< added to the drive, white being 1
   double blanking = 0.15;   ///< how far below black retrace blanking drives the guns
   double bandwidth_hz = 0;  ///< of the video amplifier, where it passes 1/sqrt(2); 0: unlimited
+  bool operator==(const GunSettings&) const = default;
 };
 
 /// The beam's spot: a Gaussian whose deviation grows with the cube root of the current.
@@ -36,12 +38,14 @@ struct SpotSettings {
       0.6;           ///< share of it that is left at no current; from 0.6 on two Gaussians draw it
   double focus = 1;  ///< multiplies it; 1 is the best focus
   double astigmatism = 1.25;  ///< width over height
+  bool operator==(const SpotSettings&) const = default;
 };
 
 /// Error of one gun's landing, mm.
 struct ConvergenceError {
   double x_mm = 0, y_mm = 0;            ///< everywhere
   double edge_x_mm = 0, edge_y_mm = 0;  ///< at the edges; it grows with the distance squared
+  bool operator==(const ConvergenceError&) const = default;
 };
 
 /// Where the beam lands. Shares are of half the picture's width or height.
@@ -53,6 +57,7 @@ struct DeflectionSettings {
   double rotation_deg = 0;  ///< clockwise
   double s_curve = 0;       ///< the sweep is slower at its ends by this share
   std::array<ConvergenceError, 3> convergence{};  ///< red, green, blue
+  bool operator==(const DeflectionSettings&) const = default;
 };
 
 enum class MaskKind { kNone, kDots, kGrille, kSlots };
@@ -66,6 +71,7 @@ struct MaskSettings {
   double bridge = 0.2;     ///< slots: share of it that is metal
   double wires = 0;        ///< grille: number of damper wires
   double wire_mm = 0.02;   ///< their thickness
+  bool operator==(const MaskSettings&) const = default;
 };
 
 struct TubeSettings {
@@ -76,6 +82,7 @@ struct TubeSettings {
   SpotSettings spot{};
   DeflectionSettings deflection{};
   MaskSettings mask{};
+  bool operator==(const TubeSettings&) const = default;
 };
 
 }  // namespace kinescope
