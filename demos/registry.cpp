@@ -15,10 +15,13 @@ DemoInfo frame_buffer_demo();
 DemoInfo phosphors_demo();
 DemoInfo pipeline_demo();
 DemoInfo test_patterns_demo();
+DemoInfo tube_demo();
+DemoInfo masks_demo();
 
 std::span<const DemoInfo> all_demos() {
   static const std::array kDemos = {teapot_demo(),    retrace_demo(),  frame_buffer_demo(),
-                                    phosphors_demo(), pipeline_demo(), test_patterns_demo()};
+                                    phosphors_demo(), pipeline_demo(), test_patterns_demo(),
+                                    tube_demo(),      masks_demo()};
   return kDemos;
 }
 

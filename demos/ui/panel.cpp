@@ -14,16 +14,17 @@ constexpr float kWidth = 312;
 }  // namespace
 
 /// Lays the panel out from top to bottom. Run once without a canvas to measure the height, and once
-/// with it to draw.
+/// with it to draw. A dense one has each knob on one line.
 class Panel::Painter {
  public:
-  Painter(const Studio& studio, float scale, Canvas* canvas, std::vector<Target>* targets)
-      : studio_(studio), scale_(scale), canvas_(canvas), targets_(targets) {}
+  Painter(const Studio& studio, float scale, bool dense, Canvas* canvas = nullptr,
+          std::vector<Target>* targets = nullptr)
+      : studio_(studio), scale_(scale), dense_(dense), canvas_(canvas), targets_(targets) {}
 
   float height(const DemoInfo& info, std::span<const Knob> knobs) {
     y_ = px(theme::kMargin);
     title(info);
-    for (std::size_t i = 0; i < knobs.size(); ++i) row(i, knobs[i]);
+    for (std::size_t i = 0; i < knobs.size(); ++i) dense_ ? line(i, knobs[i]) : row(i, knobs[i]);
     return y_ + px(theme::kMargin - theme::kGap);
   }
 
@@ -77,6 +78,24 @@ class Panel::Painter {
     }
   }
 
+  /// A knob on one line: name, track, value, keys. What is no number turns when it is clicked.
+  void line(std::size_t index, const Knob& knob) {
+    constexpr float kTrack = 64, kKeys = 68, kStep = 27;
+    const float value = right() - px(kKeys);
+    y_ += px(kStep * 0.5f);
+    text(left(), y_, knob.name, theme::kSmall, theme::kText);
+    text(value, y_, knob.text(), theme::kSmall, theme::kAccent, Align::kRight);
+    keys(knob, right());
+    if (knob.kind == KnobKind::kNumber) {
+      const float room = studio_.sans.width_px("-0.55 mm", px(theme::kSmall));
+      track(index, knob, {value - room - px(kTrack), y_ - px(1.5f), px(kTrack), px(3)});
+    } else {
+      const auto values = static_cast<int>(std::max<std::size_t>(2, knob.choices.size()));
+      target({0, y_ - px(kStep * 0.5f), px(kWidth), px(kStep)}, index, (knob.index() + 1) % values);
+    }
+    y_ += px(kStep * 0.5f);
+  }
+
   void keys(const Knob& knob, float end) {
     for (auto key = knob.keys.rbegin(); key != knob.keys.rend(); ++key) {
       end -= key_width(studio_, *key, px(theme::kSmall * 0.85f));
@@ -126,13 +145,18 @@ class Panel::Painter {
                        key_width(studio_, knob.keys[1], px(theme::kSmall * 0.85f)) + px(14);
     text(right() - caps, y_, knob.text(), theme::kBody, theme::kAccent, Align::kRight);
     y_ += px(22);
-    const Rect track{left(), y_ - px(2), right() - left(), px(4)};
+    track(index, knob, {left(), y_ - px(2), right() - left(), px(4)});
+    y_ += px(18);
+  }
+
+  void track(std::size_t index, const Knob& knob, const Rect& track) {
     const float share =
         static_cast<float>((knob.value - knob.minimum) / (knob.maximum - knob.minimum));
     fill(track, theme::kKeyCap);
     fill({track.x, track.y, track.width * share, track.height}, theme::kAccent);
-    if (canvas_ != nullptr)
-      canvas_->disc({track.x + track.width * share, y_}, px(6.5f), theme::kAccent);
+    if (canvas_ != nullptr) {
+      canvas_->disc({track.x + track.width * share, y_}, px(dense_ ? 5 : 6.5f), theme::kAccent);
+    }
     // Each step has a place of its own along the track.
     const int steps = static_cast<int>(std::lround((knob.maximum - knob.minimum) / knob.step));
     const float width = track.width / static_cast<float>(steps);
@@ -140,11 +164,11 @@ class Panel::Painter {
       const float x = track.x + (static_cast<float>(i) - 0.5f) * width;
       target({x, y_ - px(10), width, px(20)}, index, knob.minimum + knob.step * i);
     }
-    y_ += px(18);
   }
 
   const Studio& studio_;
   float scale_;
+  bool dense_;
   Canvas* canvas_;
   std::vector<Target>* targets_;
   float y_ = 0;
@@ -160,11 +184,14 @@ void Panel::lay(const DemoInfo& info, const Demo& demo, const Studio& studio, Im
     frame_width_ = frame.width();
     frame_height_ = frame.height();
     const float scale = theme::scale_for(frame.height());
-    const float height = Painter(studio, scale, nullptr, nullptr).height(info, demo.knobs());
+    const float room = static_cast<float>(frame.height()) - 2 * theme::kMargin * scale;
+    float height = Painter(studio, scale, false).height(info, demo.knobs());
+    const bool dense = height > room;
+    if (dense) height = Painter(studio, scale, true).height(info, demo.knobs());
     layer_ = begin_layer(static_cast<int>(kWidth * scale), static_cast<int>(std::ceil(height)));
     Canvas canvas(layer_.image);
     targets_.clear();
-    Painter(studio, scale, &canvas, &targets_).height(info, demo.knobs());
+    Painter(studio, scale, dense, &canvas, &targets_).height(info, demo.knobs());
     finish_layer(layer_, theme::kRadius * scale);
     layer_.x = frame.width() - layer_.image.width() - static_cast<int>(theme::kMargin * scale);
     layer_.y = static_cast<int>(theme::kMargin * scale);

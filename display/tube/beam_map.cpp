@@ -15,6 +15,13 @@ std::size_t node(const BeamMap& map, int i, int j) {
          static_cast<std::size_t>(i);
 }
 
+/// Nodes beside a picture of a few pixels lie far outside the glass, where no sweep ends: somewhere
+/// in the dark beside the raster will do.
+Place near(Place sweep) {
+  constexpr double kDark = 2;
+  return {std::clamp(sweep.x, -kDark, kDark), std::clamp(sweep.y, -kDark, kDark)};
+}
+
 /// Follows the node column i down to where each line crosses it.
 void cross_lines(BeamMap& map, int i, int lines) {
   int j = 0;
@@ -61,7 +68,7 @@ BeamMap beam_map(const TubeSettings& settings, int gun, int cells, int lines, in
   for (int j = 0; j < map.rows; ++j) {
     for (int i = 0; i < map.columns; ++i) {
       const Place picture{(2.0 * kGroup * i + 1) / width - 1, (2.0 * kGroup * j + 1) / height - 1};
-      const Place sweep = deflection.sweep_of_glass(camera.glass_of_picture(picture));
+      const Place sweep = near(deflection.sweep_of_glass(camera.glass_of_picture(picture)));
       map.cell[node(map, i, j)] = static_cast<float>(0.5 * (sweep.x + 1) * cells);
       map.line[node(map, i, j)] = static_cast<float>(0.5 * (sweep.y + 1) * lines - 0.5);
     }

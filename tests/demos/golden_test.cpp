@@ -76,7 +76,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Golden{"frame-buffer-torn", "frame-buffer", 20, "0 key 3\n0 key f\n"},
                       Golden{"phosphors", "phosphors", 30, "0 key t\n0 key t\n"},
                       Golden{"pipeline", "pipeline", 3, ""},
-                      Golden{"test-patterns", "test-patterns", 5, "0 key m\n"}),
+                      Golden{"test-patterns", "test-patterns", 5, "0 key m\n"},
+                      Golden{"tube", "tube", 5, "0 key F5\n0 key d\n0 key d\n0 key m\n0 key j\n"},
+                      Golden{"tube-close", "tube", 5, "0 key z\n0 key z\n"},
+                      Golden{"masks", "masks", 3, ""}),
     [](const auto& golden) {
       std::string name = golden.param.file;
       std::erase(name, '-');
