@@ -7,20 +7,22 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <string_view>
 
 namespace kinescope {
 namespace {
 
-/// The kernel's own estimate, in kB.
-double meminfo_available_bytes() {
-  std::ifstream file("/proc/meminfo");
-  std::string name;
-  double kilobytes = 0;
-  for (std::string unit; file >> name >> kilobytes;) {
-    if (name == "MemAvailable:") return kilobytes * 1024;
-    std::getline(file, unit);
+/// A line "NAME: NUMBER kB" of one of the kernel's files, in bytes.
+double kilobytes_in(const char* path, std::string_view name, double otherwise) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(name)) return 1024 * std::stod(line.substr(name.size()));
   }
-  return std::numeric_limits<double>::infinity();
+  return otherwise;
+}
+
+double meminfo_available_bytes() {
+  return kilobytes_in("/proc/meminfo", "MemAvailable:", std::numeric_limits<double>::infinity());
 }
 
 double number_in(const char* path, double otherwise) {
@@ -32,9 +34,11 @@ double number_in(const char* path, double otherwise) {
 }  // namespace
 
 double peak_memory_mib() {
+  // Of this program alone: getrusage counts what its parent took before it became this one.
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
+  const double otherwise = 1024.0 * static_cast<double>(usage.ru_maxrss);
+  return kilobytes_in("/proc/self/status", "VmHWM:", otherwise) / (1 << 20);
 }
 
 double available_memory_bytes() {
