@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 #include "display/tube/deflection.h"
+#include "display/tube/mask_series.h"
 
 namespace kinescope {
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
-constexpr int kBlock = 8;       // pixels over which the local pitch is taken as one
-constexpr int kPad = 16;        // after a row, for whole vectors
-constexpr int kMostTerms = 32;  // along an axis
+constexpr int kBlock = 8;  // pixels over which the local pitch is taken as one
+constexpr int kPad = 16;   // after a row, for whole vectors
 
 double sinc(double x) {
   return std::abs(x) < 1e-9 ? 1 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
@@ -21,12 +19,6 @@ double sinc(double x) {
 
 /// 2 J1(x) / x: a disc's transform.
 double jinc(double x) { return x < 1e-6 ? 1 : 2 * std::cyl_bessel_j(1.0, x) / x; }
-
-/// What is left of a frequency, cycles a pixel: a triangle, whose transform is nowhere negative,
-/// and so no series of openings becomes so.
-double faded(double across, double down) {
-  return std::max(0.0, 1 - 2 * std::abs(across)) * std::max(0.0, 1 - 2 * std::abs(down));
-}
 
 /// Even noise in [-1/2, 1/2) that depends on the place alone: rounding makes no pattern with it.
 double dither(int x, int y) {
@@ -50,71 +42,17 @@ class GlassView {
     const Place p = camera_.glass_of_picture({(2 * x + 1) / width_ - 1, (2 * y + 1) / height_ - 1});
     return {p.x * half_x_, p.y * half_y_};
   }
+  PixelStep step(double x, double y) const {
+    return {between(mm(x - 0.5, y), mm(x + 0.5, y)), between(mm(x, y - 0.5), mm(x, y + 0.5))};
+  }
 
  private:
+  static Place between(Place a, Place b) { return {b.x - a.x, b.y - a.y}; }
+
   Camera camera_;
   double half_x_ = 0, half_y_ = 0;
   int width_, height_;
 };
-
-/// A term of the series, its amplitude for each gun; it stands for the pair k, l and -k, -l.
-struct Term {
-  int k, l;
-  std::array<std::complex<double>, 3> amplitude;
-};
-
-std::vector<Term> all_terms(const MaskLattice& lattice) {
-  std::vector<Term> terms;
-  const int most_l = lattice.striped() ? 0 : kMostTerms;
-  for (int k = 0; k <= kMostTerms; ++k) {
-    for (int l = k == 0 ? 1 : -most_l; l <= most_l; ++l) {
-      const double amplitude = 2 * lattice.amplitude(k, l);
-      if (std::abs(amplitude) < 1e-4) continue;
-      Term term{k, l, {}};
-      for (int gun = 0; gun < 3; ++gun) {
-        term.amplitude[static_cast<std::size_t>(gun)] =
-            std::polar(amplitude, -kTwoPi * k / lattice.period_x() * lattice.offset_mm(gun));
-      }
-      terms.push_back(term);
-    }
-  }
-  return terms;
-}
-
-/// Those that the output resolves around a place, as far as it does.
-std::vector<Term> resolved_terms(const std::vector<Term>& all, const MaskLattice& lattice,
-                                 const GlassView& view, double x, double y) {
-  const Place left = view.mm(x - 0.5, y), right = view.mm(x + 0.5, y);
-  const Place above = view.mm(x, y - 0.5), below = view.mm(x, y + 0.5);
-  std::vector<Term> terms;
-  for (const Term& term : all) {
-    const double fx = term.k / lattice.period_x(), fy = term.l / lattice.period_y();
-    const double seen = faded(fx * (right.x - left.x) + fy * (right.y - left.y),
-                              fx * (below.x - above.x) + fy * (below.y - above.y));
-    if (seen <= 0) continue;
-    terms.push_back(term);
-    for (std::complex<double>& amplitude : terms.back().amplitude) amplitude *= seen;
-  }
-  return terms;
-}
-
-struct Transmission {
-  std::array<double, 3> gun{1, 1, 1};
-};
-
-Transmission transmission(const std::vector<Term>& terms, const MaskLattice& lattice, Place mm) {
-  Transmission sum;
-  if (terms.empty()) return sum;
-  const double x = kTwoPi * mm.x / lattice.period_x(), y = kTwoPi * mm.y / lattice.period_y();
-  for (const Term& term : terms) {
-    const double phase = term.k * x + term.l * y;
-    const double c = std::cos(phase), s = std::sin(phase);
-    for (std::size_t gun = 0; gun < 3; ++gun) {
-      sum.gun[gun] += term.amplitude[gun].real() * c - term.amplitude[gun].imag() * s;
-    }
-  }
-  return sum;
-}
 
 /// The shadow of a grille's damper wires, spread evenly down the glass, over a pixel's height.
 double wire_shadow(const MaskSettings& mask, double half_height_mm, double y_mm, double pixel_mm) {
@@ -167,39 +105,82 @@ double MaskLattice::offset_mm(int gun) const {
   return (gun - 1) * (kind_ == MaskKind::kSlots ? period_x_ / 6 : period_x_ / 3);
 }
 
+namespace {
+
+/// Places of the glass under a block of pixels, between its corners: a camera bends so little
+/// there.
+class BlockPlaces {
+ public:
+  BlockPlaces(const GlassView& view, int left, int top)
+      : corner_{view.mm(left, top), view.mm(left + kBlock, top), view.mm(left, top + kBlock),
+                view.mm(left + kBlock, top + kBlock)} {}
+  Place at(int x, int y) const {
+    const double u = static_cast<double>(x) / kBlock, v = static_cast<double>(y) / kBlock;
+    const auto mix = [&](double a, double b, double c, double d) {
+      return (1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d);
+    };
+    return {mix(corner_[0].x, corner_[1].x, corner_[2].x, corner_[3].x),
+            mix(corner_[0].y, corner_[1].y, corner_[2].y, corner_[3].y)};
+  }
+
+ private:
+  Place corner_[4];
+};
+
+MaskSeries resolved_series(const MaskLattice& lattice, const GlassView& view, int width,
+                           int height) {
+  constexpr int kSamples = 8;  // along each axis
+  std::vector<PixelStep> steps;
+  for (int j = 0; j <= kSamples; ++j) {
+    for (int i = 0; i <= kSamples; ++i) {
+      steps.push_back(view.step(1.0 * i * width / kSamples, 1.0 * j * height / kSamples));
+    }
+  }
+  MaskSeries series(lattice);
+  series.drop_unresolved(steps);
+  series.set_step(view.step(0.5 * width, 0.5 * height));
+  return series;
+}
+
+}  // namespace
+
 ShadowMask::ShadowMask(const MaskSettings& mask, const GlassSettings& glass, int width,
                        int height) {
   if (mask.kind == MaskKind::kNone) return;
-  const MaskLattice lattice(mask);
   const GlassView view(glass, width, height);
   pitch_ = width + kPad;
   for (auto& plane : planes_) {
     plane.assign(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(height), kOne);
   }
   const double half_height_mm = 0.5 * glass.diagonal_mm / std::hypot(glass.aspect, 1.0);
+  const double wires = mask.kind == MaskKind::kGrille ? mask.wires : 0;
   const bool flat = glass.curvature_mm <= 0;
-  const std::vector<Term> all = all_terms(lattice);
-  std::vector<Term> terms = resolved_terms(all, lattice, view, 0.5 * width, 0.5 * height);
+  MaskSeries series = resolved_series(MaskLattice(mask), view, width, height);
   for (int top = 0; top < height; top += kBlock) {
     for (int left = 0; left < width; left += kBlock) {
-      if (!flat)
-        terms = resolved_terms(all, lattice, view, left + 0.5 * kBlock, top + 0.5 * kBlock);
-      for (int y = top; y < std::min(height, top + kBlock); ++y) {
-        const Place here = view.mm(left, y), next = view.mm(left, y + 1);
-        const double wires = mask.kind == MaskKind::kGrille && mask.wires > 0
-                                 ? wire_shadow(mask, half_height_mm, here.y, next.y - here.y)
-                                 : 1;
-        for (int x = left; x < std::min(width, left + kBlock); ++x) {
-          const double noise = dither(x, y);
-          const Transmission t = transmission(terms, lattice, view.mm(x, y));
-          for (std::size_t gun = 0; gun < 3; ++gun) {
-            const double code =
-                std::clamp(std::floor(kOne * wires * t.gun[gun] + noise + 0.5), 0.0, 255.0);
-            planes_[gun][static_cast<std::size_t>(y * pitch_ + x)] =
-                static_cast<std::uint8_t>(code);
-          }
-        }
+      if (!flat) series.set_step(view.step(left + 0.5 * kBlock, top + 0.5 * kBlock));
+      const BlockPlaces places(view, left, top);
+      for (int y = 0; y < std::min(height - top, kBlock); ++y) {
+        std::array<Place, kBlock> row;
+        for (int x = 0; x < kBlock; ++x) row[static_cast<std::size_t>(x)] = places.at(x, y);
+        const double down_mm = places.at(0, y + 1).y - row[0].y;
+        const double light = wires > 0 ? wire_shadow(mask, half_height_mm, row[0].y, down_mm) : 1;
+        store(series.at(row), light, left, top + y, std::min(width - left, kBlock));
       }
+    }
+  }
+}
+
+void ShadowMask::store(const std::array<std::array<float, 8>, 3>& transmission, double light,
+                       int left, int y, int count) {
+  for (int x = 0; x < count; ++x) {
+    const double noise = dither(left + x, y);
+    for (std::size_t gun = 0; gun < 3; ++gun) {
+      const double share =
+          light * static_cast<double>(transmission[gun][static_cast<std::size_t>(x)]);
+      const double code = std::clamp(std::floor(kOne * share + noise + 0.5), 0.0, 255.0);
+      planes_[gun][static_cast<std::size_t>(y * pitch_ + left + x)] =
+          static_cast<std::uint8_t>(code);
     }
   }
 }

@@ -26,6 +26,10 @@ class ShadowMask {
   }
 
  private:
+  /// A row of up to 8 pixels, darkened by `light`.
+  void store(const std::array<std::array<float, 8>, 3>& transmission, double light, int left, int y,
+             int count);
+
   static constexpr int kOne = 48;
   std::array<std::vector<std::uint8_t>, 3> planes_;
   std::ptrdiff_t pitch_ = 0;

@@ -2,10 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <random>
+#include <span>
 #include <vector>
+
+#include "display/tube/mask_series.h"
 
 namespace kinescope {
 namespace {
@@ -117,6 +123,47 @@ TEST(ShadowMask, DamperWiresDarkenARow) {
   const ShadowMask mask(settings, glass_of(0), 320, 240);
   EXPECT_LT(mask.row(1, 120, 0)[50], 0.95f * mask.one());
   EXPECT_EQ(mask.row(1, 60, 0)[50], mask.one());
+}
+
+/// Term by term, as the series is defined.
+double direct_sum(const MaskLattice& lattice, const PixelStep& step, int gun, Place mm) {
+  double sum = 1;
+  for (int k = -32; k <= 32; ++k) {
+    for (int l = -32; l <= 32; ++l) {
+      if ((k == 0 && l == 0) || (lattice.striped() && l != 0)) continue;
+      const double fx = k / lattice.period_x(), fy = l / lattice.period_y();
+      const double across = std::abs(fx * step.right.x + fy * step.right.y);
+      const double down = std::abs(fx * step.down.x + fy * step.down.y);
+      const double seen = std::max(0.0, 1 - 2 * across) * std::max(0.0, 1 - 2 * down);
+      const double turns = fx * (mm.x - lattice.offset_mm(gun)) + fy * mm.y;
+      sum += seen * lattice.amplitude(k, l) * std::cos(2 * std::numbers::pi * turns);
+    }
+  }
+  return sum;
+}
+
+TEST(MaskSeries, IsTheSumOfItsTerms) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-150, 150);
+  for (const MaskKind kind : kKinds) {
+    const MaskLattice lattice(mask_of(kind, 0.4));
+    for (const double pixel : {0.03, 0.11, 0.19}) {
+      const PixelStep step{{pixel, 0.1 * pixel}, {-0.05 * pixel, 0.9 * pixel}};
+      MaskSeries series(lattice);
+      series.drop_unresolved(std::span(&step, 1));
+      series.set_step(step);
+      std::array<Place, MaskSeries::kPlaces> places;
+      for (Place& p : places) p = {place(random), place(random)};
+      const auto sums = series.at(places);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        for (int gun = 0; gun < 3; ++gun) {
+          EXPECT_NEAR(static_cast<double>(sums[static_cast<std::size_t>(gun)][i]),
+                      direct_sum(lattice, step, gun, places[i]), 5e-3)
+              << pixel << " mm, mask " << static_cast<int>(kind);
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
