@@ -19,16 +19,25 @@ double faded(double across, double down) {
   return std::max(0.0, 1 - 2 * std::abs(across)) * std::max(0.0, 1 - 2 * std::abs(down));
 }
 
-/// exp(i n angle) for n = 0, 1, ...: each from the last.
+/// Periods from the last whole one.
+float part_of_turn(double periods) { return static_cast<float>(periods - std::floor(periods)); }
+
+/// exp(i n angle) of a row of angles, for n = 0, 1, ...: each from the last.
 struct Powers {
-  explicit Powers(const Row& turns) {
-    for (std::size_t i = 0; i < turns.size(); ++i) {
-      const float angle = static_cast<float>(kTwoPi) * turns[i];
-      step_cos[i] = std::cos(angle);
-      step_sin[i] = std::sin(angle);
-      cosine[i] = 1;
-      sine[i] = 0;
+  /// @param first, step of the angles, turns
+  Powers(double first, double step) {
+    const auto turn = static_cast<float>(kTwoPi);
+    const float on = turn * static_cast<float>(step - std::round(step));
+    const float on_cos = std::cos(on), on_sin = std::sin(on), at = turn * part_of_turn(first);
+    float c = std::cos(at), s = std::sin(at);
+    for (std::size_t i = 0; i < step_cos.size(); ++i) {
+      step_cos[i] = c;
+      step_sin[i] = s;
+      c = step_cos[i] * on_cos - step_sin[i] * on_sin;
+      s = step_sin[i] * on_cos + step_cos[i] * on_sin;
     }
+    cosine.fill(1);
+    sine.fill(0);
   }
   void next() {
     for (std::size_t i = 0; i < cosine.size(); ++i) {
@@ -39,9 +48,6 @@ struct Powers {
   }
   Row cosine, sine, step_cos, step_sin;
 };
-
-/// Periods from the last whole one.
-float part_of_turn(double periods) { return static_cast<float>(periods - std::floor(periods)); }
 
 }  // namespace
 
@@ -100,21 +106,16 @@ void MaskSeries::set_step(const PixelStep& step) {
   pairs_.resize(count);
 }
 
-std::array<Row, 3> MaskSeries::at(const std::array<Place, kPlaces>& mm) const {
+std::array<Row, 3> MaskSeries::at(Place first, Place step) const {
   std::array<Row, 3> sum;
   for (Row& row : sum) row.fill(1);
-  Row across, down;
-  for (std::size_t i = 0; i < mm.size(); ++i) {
-    across[i] = part_of_turn(mm[i].x / period_x_);
-    down[i] = part_of_turn(mm[i].y / period_y_);
-  }
   std::array<Row, kMostTerms + 1> cosine, sine;  // of each l
-  Powers y(down);
+  Powers y(first.y / period_y_, step.y / period_y_);
   for (std::size_t l = 0; l <= static_cast<std::size_t>(most_l_); ++l, y.next()) {
     cosine[l] = y.cosine;
     sine[l] = y.sine;
   }
-  Powers x(across);
+  Powers x(first.x / period_x_, step.x / period_x_);
   for (std::size_t k = 0; k < pairs_.size(); ++k, x.next()) {
     if (pairs_[k].empty()) continue;
     Row real{}, imaginary{};

@@ -28,7 +28,8 @@ class MaskSeries {
   /// Sums from now on for pixels of that size.
   void set_step(const PixelStep& step);
   /// Transmission of the three guns, the mean being 1, at a row of places on the glass, mm.
-  std::array<Row, 3> at(const std::array<Place, kPlaces>& mm) const;
+  /// @param step from each place to the next
+  std::array<Row, 3> at(Place first, Place step) const;
 
  private:
   /// Of the pair k, l and -k, -l.

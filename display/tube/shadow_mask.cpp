@@ -161,11 +161,11 @@ ShadowMask::ShadowMask(const MaskSettings& mask, const GlassSettings& glass, int
       if (!flat) series.set_step(view.step(left + 0.5 * kBlock, top + 0.5 * kBlock));
       const BlockPlaces places(view, left, top);
       for (int y = 0; y < std::min(height - top, kBlock); ++y) {
-        std::array<Place, kBlock> row;
-        for (int x = 0; x < kBlock; ++x) row[static_cast<std::size_t>(x)] = places.at(x, y);
-        const double down_mm = places.at(0, y + 1).y - row[0].y;
-        const double light = wires > 0 ? wire_shadow(mask, half_height_mm, row[0].y, down_mm) : 1;
-        store(series.at(row), light, left, top + y, std::min(width - left, kBlock));
+        const Place first = places.at(0, y), next = places.at(1, y);
+        const double down_mm = places.at(0, y + 1).y - first.y;
+        const double light = wires > 0 ? wire_shadow(mask, half_height_mm, first.y, down_mm) : 1;
+        store(series.at(first, {next.x - first.x, next.y - first.y}), light, left, top + y,
+              std::min(width - left, kBlock));
       }
     }
   }
