@@ -464,6 +464,7 @@ const std::vector<void (*)(TubeSettings&)> kFrontKnobs = {
       s.glass.tint = {0.5, 1, 1};
     },
     [](TubeSettings& s) { s.glass.diagonal_mm = 200; },
+    [](TubeSettings& s) { s.gun.blanking = -0.3; },  // the retrace shows
 };
 
 TEST(RasterTube, KnobsBehindTheCellsShowTheLightThereIsAsIfTheyHadAlwaysStoodSo) {
