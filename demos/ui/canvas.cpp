@@ -169,6 +169,7 @@ void Canvas::disc(glm::vec2 centre, float radius, Srgb8 colour) {
 
 void Canvas::text(const Font& font, glm::vec2 place, std::string_view text, float size,
                   Srgb8 colour, Align align) {
+  if (!(size > 0)) return;  // laid out in a picture of a pixel or two
   const float width = font.width_px(text, size);
   if (align != Align::kLeft) place.x -= align == Align::kRight ? width : width * 0.5f;
   if (place.x > clip_.right() || place.x + width < clip_.x || place.y - size > clip_.bottom() ||
