@@ -30,6 +30,7 @@ float draw_key(Canvas& canvas, const Studio& studio, float x, float y, const std
 }
 
 std::vector<std::string> wrap(const Font& font, std::string_view text, float size, float width) {
+  if (!(size > 0)) return {};
   std::vector<std::string> lines(1);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
