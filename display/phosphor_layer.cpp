@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "display/decay.h"
-#include "display/tube_kernels.h"
 
 namespace kinescope {
 namespace {
@@ -23,7 +22,7 @@ float as_float(double v) { return static_cast<float>(v); }
 
 PhosphorLayer::PhosphorLayer(const Phosphor& phosphor, double clock_hz, double frame_clocks,
                              int width, int height)
-    : width_(width), frame_clocks_(frame_clocks) {
+    : width_(width), pitch_(whole_cache_lines<float>(width)), frame_clocks_(frame_clocks) {
   for (const DecayTerm& source : phosphor.terms) {
     Term term;
     term.share = source.share;
@@ -36,12 +35,12 @@ PhosphorLayer::PhosphorLayer(const Phosphor& phosphor, double clock_hz, double f
     terms_.push_back(std::move(term));
   }
   carry_over(frame_clocks);
-  const std::size_t cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::size_t cells = offset(height);
   const int planes = static_cast<int>(
       std::count_if(terms_.begin(), terms_.end(), [](const Term& t) { return t.plane >= 0; }));
   for (std::size_t basis = 0; basis < kBases; ++basis) {
     doses_[basis].assign(cells, 0.0f);
-    states_[basis].assign(static_cast<std::size_t>(planes), std::vector<float>(cells, 0.0f));
+    states_[basis].assign(static_cast<std::size_t>(planes), AlignedVector<float>(cells, 0.0f));
   }
 }
 
@@ -153,10 +152,10 @@ void PhosphorLayer::excite_slow(const Term& term, int line, const CellRange& ran
   step.old_decay = term.decay.data() + (width_ - count);
   step.old_grown = term.grown.data();
   step.new_grown = term.grown_back.data() + (width_ - count);
-  for (std::size_t basis = 0; basis < kBases; ++basis) {
-    excite_slow_term(count, step, dose_row(basis, line) + range.begin,
-                     state_row(basis, term.plane, line) + range.begin, light[basis] + range.begin);
-  }
+  excite_slow_term(
+      count, step, dose_rows(line, range.begin),
+      {state_row(0, term.plane, line) + range.begin, state_row(1, term.plane, line) + range.begin},
+      {light[0] + range.begin, light[1] + range.begin});
 }
 
 void PhosphorLayer::excite(int line, const CellRange& range, int count, DoseRows new_dose,
@@ -187,10 +186,9 @@ void PhosphorLayer::excite(int line, const CellRange& range, int count, DoseRows
       add_scaled(count, as_float(new_left), term.grown_back.data() + (width_ - count), new_weight);
     }
   }
-  for (std::size_t basis = 0; basis < kBases; ++basis) {
-    excite_dose(count, old_weight, as_float(even), new_weight, new_dose[basis] + range.begin,
-                dose_row(basis, line) + range.begin, light[basis] + range.begin);
-  }
+  excite_dose(count, old_weight, as_float(even), new_weight,
+              {new_dose[0] + range.begin, new_dose[1] + range.begin}, dose_rows(line, range.begin),
+              {light[0] + range.begin, light[1] + range.begin});
 }
 
 void PhosphorLayer::pass_dwelling_cell(std::size_t basis, int line, const CellRange& range,

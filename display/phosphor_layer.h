@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "display/phosphor.h"
+#include "display/tube_kernels.h"
+#include "raster/aligned_vector.h"
 
 namespace kinescope {
 
@@ -20,13 +22,9 @@ struct CellRange {
   double until = 0;      ///< of cell `begin`, if excited: b - the start of that one
 };
 
-/// One row for the narrow and one for the wide Gaussian, indexed by cell.
-using DoseRows = std::array<const float*, 2>;
-using LightRows = std::array<float*, 2>;
-
 /// Work space of one worker.
 struct LayerScratch {
-  std::vector<float> old_weight, new_weight;
+  AlignedVector<float> old_weight, new_weight;
 };
 
 class PhosphorLayer {
@@ -68,20 +66,24 @@ class PhosphorLayer {
   void pass_dwelling_cell(std::size_t basis, int line, const CellRange& range,
                           const float* new_dose, float* light);
   float* dose_row(std::size_t basis, int line) { return doses_[basis].data() + offset(line); }
+  LightRows dose_rows(int line, int cell) {
+    return {dose_row(0, line) + cell, dose_row(1, line) + cell};
+  }
   float* state_row(std::size_t basis, int plane, int line) {
     return states_[basis][static_cast<std::size_t>(plane)].data() + offset(line);
   }
   std::size_t offset(int line) const {
-    return static_cast<std::size_t>(line) * static_cast<std::size_t>(width_);
+    return static_cast<std::size_t>(line) * static_cast<std::size_t>(pitch_);
   }
 
   int width_;
+  int pitch_;  // cells from line to line, whole cache lines
   double frame_clocks_;
   double window_ = 0;
   std::vector<Term> terms_;
-  std::array<std::vector<float>, 2> doses_;  // each cell's last dose
+  std::array<AlignedVector<float>, 2> doses_;  // each cell's last dose
   // Light to come, when that dose began, of those before it.
-  std::array<std::vector<std::vector<float>>, 2> states_;
+  std::array<std::vector<AlignedVector<float>>, 2> states_;
 };
 
 }  // namespace kinescope

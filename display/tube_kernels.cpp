@@ -49,36 +49,49 @@ void AddLight(int n, float scale, const float* table, const float* state, float*
   });
 }
 
-void ExciteSlowTerm(int n, const SlowTermStep& step, const float* old_dose, float* state,
-                    float* light) {
+/// One Gaussian's part: the state moves on, and both give light.
+template <typename D>
+HWY_INLINE void MoveState(D d, const SlowTermStep& step, hn::Vec<D> old_weight,
+                          hn::Vec<D> new_weight, const float* dose, float* state, float* light) {
+  const auto old_state = hn::LoadU(d, state);
+  auto new_state = hn::MulAdd(hn::Set(d, step.gain), hn::LoadU(d, dose),
+                              hn::Mul(hn::Set(d, step.keep), old_state));
+  // A dark cell's light would fade into denormal numbers, which are slow.
+  new_state = hn::IfThenElseZero(hn::Gt(new_state, hn::Set(d, 1e-25f)), new_state);
+  hn::StoreU(new_state, d, state);
+  const auto sum = hn::MulAdd(old_weight, old_state, hn::LoadU(d, light));
+  hn::StoreU(hn::MulAdd(new_weight, new_state, sum), d, light);
+}
+
+void ExciteSlowTerm(int n, const SlowTermStep& step, LightRows old_dose, LightRows state,
+                    LightRows light) {
   // By value: what it writes could alias what is captured by reference.
   for_each_vector(n, [=](auto d, int i) {
-    const auto old_state = hn::LoadU(d, state + i);
     const auto old_grown = hn::MulAdd(hn::Set(d, step.old_slope), hn::LoadU(d, step.old_grown + i),
                                       hn::Set(d, step.old_constant));
     const auto old_weight =
         hn::Mul(hn::Mul(hn::Set(d, step.old_scale), hn::LoadU(d, step.old_decay + i)), old_grown);
     const auto new_weight = hn::MulAdd(hn::Set(d, step.new_slope), hn::LoadU(d, step.new_grown + i),
                                        hn::Set(d, step.new_constant));
-    auto new_state = hn::MulAdd(hn::Set(d, step.gain), hn::LoadU(d, old_dose + i),
-                                hn::Mul(hn::Set(d, step.keep), old_state));
-    // A dark cell's light would fade into denormal numbers, which are slow.
-    new_state = hn::IfThenElseZero(hn::Gt(new_state, hn::Set(d, 1e-25f)), new_state);
-    hn::StoreU(new_state, d, state + i);
-    const auto sum = hn::MulAdd(old_weight, old_state, hn::LoadU(d, light + i));
-    hn::StoreU(hn::MulAdd(new_weight, new_state, sum), d, light + i);
+    for (std::size_t basis = 0; basis < 2; ++basis) {
+      MoveState(d, step, old_weight, new_weight, old_dose[basis] + i, state[basis] + i,
+                light[basis] + i);
+    }
   });
 }
 
 void ExciteDose(int n, const float* old_weight, float even, const float* new_weight,
-                const float* new_dose, float* dose, float* light) {
+                DoseRows new_dose, LightRows dose, LightRows light) {
   for_each_vector(n, [=](auto d, int i) {
-    const auto fresh = hn::LoadU(d, new_dose + i);
-    const auto sum =
-        hn::MulAdd(hn::LoadU(d, old_weight + i), hn::LoadU(d, dose + i), hn::LoadU(d, light + i));
-    const auto weight = hn::Add(hn::LoadU(d, new_weight + i), hn::Set(d, even));
-    hn::StoreU(hn::MulAdd(weight, fresh, sum), d, light + i);
-    hn::StoreU(fresh, d, dose + i);
+    const auto before = hn::LoadU(d, old_weight + i);
+    const auto after = hn::Add(hn::LoadU(d, new_weight + i), hn::Set(d, even));
+    for (std::size_t basis = 0; basis < 2; ++basis) {
+      const auto fresh = hn::LoadU(d, new_dose[basis] + i);
+      const auto sum =
+          hn::MulAdd(before, hn::LoadU(d, dose[basis] + i), hn::LoadU(d, light[basis] + i));
+      hn::StoreU(hn::MulAdd(after, fresh, sum), d, light[basis] + i);
+      hn::StoreU(fresh, d, dose[basis] + i);
+    }
   });
 }
 
@@ -174,13 +187,13 @@ void add_light(int n, float scale, const float* table, const float* state, float
   HWY_DYNAMIC_DISPATCH(AddLight)(n, scale, table, state, light);
 }
 
-void excite_slow_term(int n, const SlowTermStep& step, const float* old_dose, float* state,
-                      float* light) {
+void excite_slow_term(int n, const SlowTermStep& step, LightRows old_dose, LightRows state,
+                      LightRows light) {
   HWY_DYNAMIC_DISPATCH(ExciteSlowTerm)(n, step, old_dose, state, light);
 }
 
 void excite_dose(int n, const float* old_weight, float even, const float* new_weight,
-                 const float* new_dose, float* dose, float* light) {
+                 DoseRows new_dose, LightRows dose, LightRows light) {
   HWY_DYNAMIC_DISPATCH(ExciteDose)(n, old_weight, even, new_weight, new_dose, dose, light);
 }
 

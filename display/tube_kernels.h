@@ -1,11 +1,16 @@
 // The tube's inner loops, each over a row of floats, compiled for every instruction set.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "display/frame_buffer.h"
 
 namespace kinescope {
+
+/// One row for the narrow and one for the wide Gaussian of the spot.
+using DoseRows = std::array<const float*, 2>;
+using LightRows = std::array<float*, 2>;
 
 /// out[i] += scale * a[i]
 void add_scaled(int n, float scale, const float* a, float* out);
@@ -24,12 +29,12 @@ struct SlowTermStep {
   float new_constant, new_slope;                   ///< of the new state's light
   const float *old_decay, *old_grown, *new_grown;  ///< tables
 };
-void excite_slow_term(int n, const SlowTermStep& step, const float* old_dose, float* state,
-                      float* light);
+void excite_slow_term(int n, const SlowTermStep& step, LightRows old_dose, LightRows state,
+                      LightRows light);
 
 /// light += old weight * dose + (even + new weight) * new dose; then dose = new dose.
 void excite_dose(int n, const float* old_weight, float even, const float* new_weight,
-                 const float* new_dose, float* dose, float* light);
+                 DoseRows new_dose, LightRows dose, LightRows light);
 
 /// The gun's and the spot's laws: current = (contrast * drive + brightness)^gamma, its spot's
 /// deviation = least + growth * current^(1/3), bounded; of the current, the wide Gaussian draws

@@ -26,4 +26,12 @@ struct CacheLineAllocator {
 template <typename T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 
+/// The least number of elements, at least `count`, that fill whole cache lines.
+template <typename T>
+constexpr int whole_cache_lines(int count) {
+  constexpr int kInLine =
+      static_cast<int>(static_cast<std::size_t>(CacheLineAllocator<T>::kAlignment) / sizeof(T));
+  return (count + kInLine - 1) / kInLine * kInLine;
+}
+
 }  // namespace kinescope

@@ -7,7 +7,6 @@
 namespace kinescope {
 namespace {
 
-constexpr int kVector = 8;       // pixels
 constexpr double kReach = 3;     // standard deviations
 constexpr double kLeast = 1e-9;  // cells: a spot of no width
 
@@ -107,7 +106,7 @@ AxisWeights axis_weights(std::span<const double> edges, std::array<double, 2> si
     }
   }
   axis.taps = static_cast<int>(std::floor(2 * widest)) + 1;
-  axis.pitch = (pixels + kVector - 1) / kVector * kVector;
+  axis.pitch = whole_cache_lines<float>(pixels);
   for (int p = 0; p < axis.pitch; ++p) {
     const std::size_t at = static_cast<std::size_t>(std::min(p, pixels - 1));
     const double middle = 0.5 * (edges[at] + edges[at + 1]);

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "raster/aligned_vector.h"
+
 namespace kinescope {
 
 struct AxisWeights {
@@ -14,8 +16,8 @@ struct AxisWeights {
   std::vector<int>
       start;  ///< of each pixel: its first cell; may lie before 0 or reach past the last
   /// Of the narrow and of the wide Gaussian, tap after tap: weight[b][tap * pitch + pixel].
-  std::array<std::vector<float>, 2> weight;
-  int pitch = 0;  ///< pixels, rounded up to whole vectors
+  std::array<AlignedVector<float>, 2> weight;
+  int pitch = 0;  ///< pixels, rounded up to whole cache lines
   float at(std::size_t basis, int pixel, int tap) const {
     return weight[basis][static_cast<std::size_t>(tap * pitch + pixel)];
   }

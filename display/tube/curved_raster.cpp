@@ -71,7 +71,7 @@ void CurvedRaster::spread_line(const LayerLight& light, SpreadRing& ring, int li
   }
   spread_across_curve({map_.cells_of(line) + ring.x / kGroup, ring.groups, cells_, taps_,
                        cells_a_pixel_, narrow_across_, wide_across_},
-                      {light.narrow.line(line), light.wide.line(line)}, {narrow, wide});
+                      light.rows(line), {narrow, wide});
 }
 
 /// Once for every row of the grid, the lines that its output rows need are spread across.

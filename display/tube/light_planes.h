@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "display/tube/spread_kernels.h"
+#include "raster/aligned_vector.h"
 
 namespace kinescope {
 
@@ -13,23 +13,26 @@ class CellPlane {
  public:
   CellPlane() = default;
   CellPlane(int cells, int lines)
-      : pitch_(cells + 2 * kCellPad),
+      : pitch_(whole_cache_lines<float>(cells + 2 * kCellPad)),
         light_(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(lines), 0.0f) {}
   /// Cell 0 of a line.
   float* line(int number) { return light_.data() + offset(number); }
   const float* line(int number) const { return light_.data() + offset(number); }
+  int pitch() const { return static_cast<int>(pitch_); }
 
  private:
   std::ptrdiff_t offset(int number) const {
     return static_cast<std::ptrdiff_t>(number) * pitch_ + kCellPad;
   }
   std::ptrdiff_t pitch_ = 0;
-  std::vector<float> light_;
+  AlignedVector<float> light_;
 };
 
 /// By layer, as the narrow and as the wide Gaussian draws it.
 struct LayerLight {
   CellPlane narrow, wide;
+
+  CellRows rows(int line) const { return {narrow.line(line), wide.line(line), narrow.pitch()}; }
 };
 
 }  // namespace kinescope

@@ -22,14 +22,14 @@ struct RasterExtent {
 
 /// Lines spread across the columns of one tile of the output so far.
 struct SpreadRing {
-  std::vector<float> narrow, wide;
+  AlignedVector<float> narrow, wide;
   int x = 0, groups = 0;  ///< the tile's first column, and its columns in groups
   int next_line = 0;
   // Of a curved raster: its map's row that has its lines; and the weights of those of one output
   // row, its own or another raster's whose lines lie alike.
   int grid_row = 0;
   std::vector<int> base;
-  std::vector<float> narrow_weight, wide_weight;
+  AlignedVector<float> narrow_weight, wide_weight;
   const SpreadRing* lines_of = nullptr;
 };
 
@@ -48,7 +48,7 @@ class StraightRaster {
 
   AxisWeights across_, down_;
   std::vector<float> down_narrow_, down_wide_;  // row after row
-  bool close_ = false;
+  int span_ = 0;
   int lines_;
 };
 

@@ -23,7 +23,7 @@ using Raster = std::variant<StraightRaster, CurvedRaster>;
 /// Work space of one worker.
 struct Scratch {
   std::array<SpreadRing, kMostLayers> ring;
-  std::array<std::vector<float>, kMostLayers> row;
+  std::array<AlignedVector<float>, kMostLayers> row;
 };
 
 using Finish = std::function<void(const FinishRow&, int x, int y, int n)>;

@@ -1,5 +1,7 @@
 #include "display/tube/spread_kernels.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
@@ -52,21 +54,37 @@ struct Pair {
   Floats narrow, wide;
 };
 
-/// kTaps known lets the compiler unroll; 0 takes any number.
-template <int kTaps>
-HWY_INLINE void AcrossPermuted(const AcrossTable& table, CellRows cells, SpreadRows out) {
+/// A tile takes a few cells of each line: too few for the processor to see where they go on.
+HWY_INLINE void prefetch_next_line(const CellRows& cells, int cell) {
+  hwy::Prefetch(cells.narrow + cells.next_line + cell);
+  hwy::Prefetch(cells.wide + cells.next_line + cell);
+}
+
+/// The cells of a group's columns within one vector of them, or tap after tap. kTaps known lets the
+/// compiler unroll; 0 takes any number.
+template <int kTaps, bool kOneVector>
+void AcrossPermuted(const AcrossTable& any_table, CellRows cells, SpreadRows out) {
+  const AcrossTable table = any_table;  // nothing that is stored aliases a copy
   const int taps = kTaps > 0 ? kTaps : table.taps;
+  const auto one = hn::Set(di, 1);
   for (int x = 0; x < table.groups * kGroup; x += lanes()) {
     const int base = table.start[x];
-    const auto lane =
-        hn::IndicesFromVec(d, hn::Sub(hn::LoadU(di, table.start + x), hn::Set(di, base)));
+    auto lane = hn::Sub(hn::LoadU(di, table.start + x), hn::Set(di, base));
+    prefetch_next_line(cells, base);
+    Floats n = hn::LoadU(d, cells.narrow + base), w = hn::LoadU(d, cells.wide + base);
     Pair sum{hn::Zero(d), hn::Zero(d)};
 #pragma GCC unroll 6
     for (int t = 0; t < taps; ++t) {
-      const Floats n = hn::TableLookupLanes(hn::LoadU(d, cells.narrow + base + t), lane);
-      const Floats w = hn::TableLookupLanes(hn::LoadU(d, cells.wide + base + t), lane);
-      sum.narrow = hn::MulAdd(n, hn::LoadU(d, table.narrow + t * table.pitch + x), sum.narrow);
-      sum.wide = hn::MulAdd(w, hn::LoadU(d, table.wide + t * table.pitch + x), sum.wide);
+      if (!kOneVector) {
+        n = hn::LoadU(d, cells.narrow + base + t);
+        w = hn::LoadU(d, cells.wide + base + t);
+      }
+      const auto at = hn::IndicesFromVec(d, lane);
+      sum.narrow = hn::MulAdd(hn::TableLookupLanes(n, at),
+                              hn::LoadU(d, table.narrow + t * table.pitch + x), sum.narrow);
+      sum.wide = hn::MulAdd(hn::TableLookupLanes(w, at),
+                            hn::LoadU(d, table.wide + t * table.pitch + x), sum.wide);
+      if (kOneVector) lane = hn::Add(lane, one);
     }
     hn::StoreU(sum.narrow, d, out.narrow + x);
     hn::StoreU(sum.wide, d, out.wide + x);
@@ -89,16 +107,21 @@ HWY_INLINE void AcrossGathered(const AcrossTable& table, CellRows cells, SpreadR
 }
 
 void SpreadAcross(const AcrossTable& table, CellRows cells, SpreadRows out) {
-  if (!table.close) return AcrossGathered(table, cells, out);
+  if (table.span >= lanes()) return AcrossGathered(table, cells, out);
+  const bool one = table.span + table.taps <= lanes();
   switch (table.taps) {
+    case 3:
+      return one ? AcrossPermuted<3, true>(table, cells, out)
+                 : AcrossPermuted<3, false>(table, cells, out);
     case 4:
-      return AcrossPermuted<4>(table, cells, out);
+      return one ? AcrossPermuted<4, true>(table, cells, out)
+                 : AcrossPermuted<4, false>(table, cells, out);
     case 5:
-      return AcrossPermuted<5>(table, cells, out);
-    case 6:
-      return AcrossPermuted<6>(table, cells, out);
+      return one ? AcrossPermuted<5, true>(table, cells, out)
+                 : AcrossPermuted<5, false>(table, cells, out);
     default:
-      return AcrossPermuted<0>(table, cells, out);
+      return one ? AcrossPermuted<0, true>(table, cells, out)
+                 : AcrossPermuted<0, false>(table, cells, out);
   }
 }
 

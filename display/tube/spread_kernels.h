@@ -13,6 +13,7 @@ constexpr int kCellTaps = 6;  ///< cells near a column, likewise
 struct CellRows {
   const float* narrow;
   const float* wide;
+  int next_line;  ///< floats from here to the cells of the line that will be spread next
 };
 /// A line spread over columns.
 struct SpreadRows {
@@ -26,7 +27,7 @@ struct AcrossTable {
   const float* narrow;
   const float* wide;
   int taps, pitch, groups;
-  bool close;  ///< the cells at which a group's columns start lie within a vector
+  int span;  ///< the most cells from where a group's first column starts to where its last does
 };
 void spread_across(const AcrossTable& table, CellRows cells, SpreadRows out);
 

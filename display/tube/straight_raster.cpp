@@ -16,12 +16,13 @@ std::vector<double> pixel_edges(int pixels, int cells, const std::function<doubl
   return edges;
 }
 
-/// Whether the cells at which a group's columns start lie within a vector.
-bool starts_are_close(const AxisWeights& across) {
+/// The most cells from where a group's first column starts to where its last does.
+int start_span(const AxisWeights& across) {
+  int most = 0;
   for (std::size_t x = 0; x + kGroup <= across.start.size(); x += kGroup) {
-    if (across.start[x + kGroup - 1] - across.start[x] >= kGroup) return false;
+    most = std::max(most, across.start[x + kGroup - 1] - across.start[x]);
   }
-  return true;
+  return most;
 }
 
 }  // namespace
@@ -48,7 +49,7 @@ StraightRaster::StraightRaster(const TubeSettings& settings, const SpotModel& sp
   for (int& start : across_.start) {
     start = std::clamp(start, -kCellPad, e.cells + kCellPad - kGroup - across_.taps);
   }
-  close_ = starts_are_close(across_);
+  span_ = start_span(across_);
   for (int row = 0; row < e.height; ++row) {
     for (int t = 0; t < down_.taps; ++t) {
       down_narrow_.push_back(down_.at(0, row, t));
@@ -81,8 +82,8 @@ void StraightRaster::spread_line(const LayerLight& light, SpreadRing& ring, int 
   }
   spread_across(
       {across_.start.data() + ring.x, across_.weight[0].data() + ring.x,
-       across_.weight[1].data() + ring.x, across_.taps, across_.pitch, ring.groups, close_},
-      {light.narrow.line(line), light.wide.line(line)}, {narrow, wide});
+       across_.weight[1].data() + ring.x, across_.taps, across_.pitch, ring.groups, span_},
+      light.rows(line), {narrow, wide});
 }
 
 /// Each line that the row needs is spread across once.
