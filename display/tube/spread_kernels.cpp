@@ -145,7 +145,9 @@ struct NearCells {
   NearCells(CellRows rows, hn::VFromD<decltype(di)> first)
       : cells(rows),
         base(hn::GetLane(first)),
-        lane(hn::IndicesFromVec(d, hn::Sub(first, hn::Set(di, base)))) {}
+        lane(hn::IndicesFromVec(d, hn::Sub(first, hn::Set(di, base)))) {
+    prefetch_next_line(rows, base);
+  }
   Floats narrow(int tap) const { return at(cells.narrow + base + tap); }
   Floats wide(int tap) const { return at(cells.wide + base + tap); }
   Floats at(const float* from) const { return hn::TableLookupLanes(hn::LoadU(d, from), lane); }

@@ -74,6 +74,22 @@ TEST(AxisWeights, NoLightIsLostAtAnyScale) {
   }
 }
 
+TEST(AxisWeights, EndlessWhiteIsOneOnAverage) {
+  for (const int pixels : kPixelCounts) {
+    for (const bool swept : {false, true}) {
+      const Axis axis = spot_axis(480, pixels, 0.3, swept);
+      double total = 0;
+      const int shown = static_cast<int>(2 * std::ceil(kMargin / axis.pitch)) + pixels;
+      for (int p = 0; p < shown; ++p) {
+        for (int t = 0; t < axis.weights.taps; ++t) {
+          total += static_cast<double>(axis.weights.at(0, p, t));
+        }
+      }
+      EXPECT_NEAR(total / shown, 1, 1e-6) << pixels << swept;
+    }
+  }
+}
+
 TEST(AxisWeights, WhiteIsOneInsideThePictureAndFallsOffAtItsEdge) {
   for (const int pixels : kPixelCounts) {
     const auto v = applied(spot_axis(480, pixels, 0.3, true), flat(480));
