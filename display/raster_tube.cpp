@@ -9,55 +9,12 @@
 
 #include "display/layer_colours.h"
 #include "display/phosphor_layer.h"
-#include "display/tube/gun.h"
 #include "display/tube/retrace_light.h"
 #include "display/tube/screen.h"
+#include "display/tube/signal_doses.h"
 
 namespace kinescope {
 namespace {
-
-constexpr int kLinesATask = 8;
-
-int tasks_of(int lines) { return (lines + kLinesATask - 1) / kLinesATask; }
-
-int cells_started(BeamTime span, int least, int most) {
-  const std::int64_t started = (span.raw() + BeamTime::kOne - 1) >> BeamTime::kBits;
-  return static_cast<int>(std::clamp<std::int64_t>(started, least, most));
-}
-
-/// What happens in one window, at most a frame long, to the cells of a line: those whose last
-/// excitation lies in the frame that has begun when the window opens, and those of the frame
-/// before.
-struct LineRanges {
-  CellRange range[4];
-};
-
-LineRanges line_ranges(const RasterScan& scan, BeamTime begin, BeamTime end, int line) {
-  const int width = scan.mode().horizontal.active;
-  const BeamTime frame = scan.frame_clocks();
-  const BeamTime since = divide(begin - scan.line_start_clocks(0, line), frame).rest;
-  const BeamTime length = end - begin;
-  LineRanges ranges;
-  const auto add_pair = [&](int at, int first, int last, BeamTime since_zero, BeamTime until_zero) {
-    const int excited = cells_started(until_zero, first, last);
-    const double shift = first;
-    ranges.range[at] = {first, excited, to_clocks(since_zero) - shift, true,
-                        to_clocks(until_zero) - shift};
-    ranges.range[at + 1] = {excited, last, to_clocks(since_zero) - excited, false, 0};
-  };
-  const int passed = cells_started(since, 0, width);
-  add_pair(0, 0, passed, since, length + since - frame);
-  add_pair(2, passed, width, since + frame, length + since);
-  return ranges;
-}
-
-/// Work space of one worker.
-struct TubeScratch {
-  LayerScratch layer;
-  std::vector<GunDrive> drives;
-  std::vector<float> voltage, narrow, wide;
-  bool changed = false;  // a line was not what it was a frame ago
-};
 
 class Stopwatch {
  public:
@@ -74,14 +31,12 @@ class Stopwatch {
 /// What an exposure works in; nothing of it outlives the exposure but the picture handed out, so a
 /// copy of a tube starts with none of it.
 struct TubeWork {
-  std::vector<std::vector<GunDrive>> drives;  // of each line, when it was last read whole
-  std::vector<LayerLight> doses;  // of each signal, of each cell's excitation in the window
+  SignalDoses doses;
   std::vector<LayerLight> light;  // of each layer, of the exposure
   Image<LinearRgb> picture;
-  std::vector<TubeScratch> scratch;
-  int steady_frames = 0;  // whole ones that passed while no line changed
-  const void* printed = nullptr;
-  float printed_gain = 0;
+  std::vector<LayerScratch> scratch;        // of each worker
+  int steady_frames = 0;                    // whole ones that passed while no line changed
+  std::pair<const void*, float> printed{};  // where photograph() last drew, and by what gain
   RasterTube::Times times;
 
   TubeWork() = default;
@@ -117,13 +72,8 @@ struct RasterTube::State {
   bool gather(FrameBuffer& buffer, Seconds end, Workers& workers);
   bool is_steady(BeamTime length);
   void set_up_screen(Workers& workers);
-  bool reuses_line(const std::vector<GunDrive>& drives, const LineRanges& ranges, int line);
-  void read_buffer(FrameBuffer& buffer, BeamTime end, Workers& workers);
-  void read_lines(const FrameBuffer& buffer, BeamTime begin, BeamTime end, Workers& workers);
-  void read_line(const FrameBuffer& buffer, BeamTime begin, BeamTime end, int line,
-                 TubeScratch& scratch);
   void pass_window(BeamTime end, Workers& workers);
-  void pass_line(BeamTime end, int line, bool first, TubeScratch& scratch);
+  void pass_line(BeamTime end, int line, bool first, LayerScratch& scratch);
 
   int cells() const { return scan.mode().horizontal.active; }
   int lines() const { return scan.mode().vertical.active; }
@@ -185,113 +135,30 @@ void RasterTube::State::build_front(const Screen* like) {
 }
 
 void RasterTube::State::prepare(Workers& workers) {
-  const auto resize = [&](std::vector<LayerLight>& planes, std::size_t count) {
-    while (planes.size() < count) planes.push_back({{cells(), lines()}, {cells(), lines()}});
-  };
-  resize(work.doses, signals.size());
-  resize(work.light, layers.size());
-  work.drives.resize(static_cast<std::size_t>(lines()));
-  const std::size_t n = static_cast<std::size_t>(cells());
+  work.doses.prepare(scan, gun, signals, workers);
+  while (work.light.size() < layers.size()) {
+    work.light.push_back({{cells(), lines()}, {cells(), lines()}});
+  }
   work.scratch.resize(static_cast<std::size_t>(workers.count()));
-  for (TubeScratch& s : work.scratch) {
-    s.layer.old_weight.resize(n);
-    s.layer.new_weight.resize(n);
-    s.drives.resize(n);
-    s.narrow.resize(n);
-    s.wide.resize(n);
-    s.voltage.resize(n + 2 * static_cast<std::size_t>(gun.reach()) + kGroup);
+  for (LayerScratch& s : work.scratch) {
+    s.old_weight.resize(static_cast<std::size_t>(cells()));
+    s.new_weight.resize(static_cast<std::size_t>(cells()));
   }
 }
 
-/// The controller reads what the beam passes in [now, end), and flips pages as it retraces.
-void RasterTube::State::read_buffer(FrameBuffer& buffer, BeamTime end, Workers& workers) {
-  BeamTime begin = now;
-  std::int64_t frame = divide(now, scan.frame_clocks()).whole;
-  for (int field = 0;; frame += ++field / scan.fields(), field %= scan.fields()) {
-    const BeamTime retrace = scan.retrace_start_clocks(frame, field);
-    if (retrace < begin) continue;
-    if (retrace >= end) break;
-    read_lines(buffer, begin, retrace, workers);
-    buffer.vertical_retrace();
-    begin = retrace;
-  }
-  read_lines(buffer, begin, end, workers);
-}
-
-void RasterTube::State::read_lines(const FrameBuffer& buffer, BeamTime begin, BeamTime end,
-                                   Workers& workers) {
-  if (begin >= end) return;
-  workers.run(tasks_of(lines()), [&](int task, int worker) {
-    const int last = std::min(lines(), (task + 1) * kLinesATask);
-    for (int line = task * kLinesATask; line < last; ++line) {
-      read_line(buffer, begin, end, line, work.scratch[static_cast<std::size_t>(worker)]);
-    }
-  });
-}
-
-/// The doses of those cells of a line that the beam meets in [begin, end).
-void RasterTube::State::read_line(const FrameBuffer& buffer, BeamTime begin, BeamTime end, int line,
-                                  TubeScratch& s) {
-  const LineRanges ranges = line_ranges(scan, begin, end, line);
-  const auto met = [](const CellRange& r) { return r.excited && r.begin != r.end; };
-  if (std::none_of(std::begin(ranges.range), std::end(ranges.range), met)) return;
-  if (line >= buffer.height()) {
-    std::fill(s.drives.begin(), s.drives.end(), GunDrive{});
-  } else {
-    buffer.read_line(line, s.drives);
-  }
-  if (reuses_line(s.drives, ranges, line)) return;
-  s.changed = true;
-  const bool whole =
-      std::any_of(std::begin(ranges.range), std::end(ranges.range),
-                  [&](const CellRange& r) { return met(r) && r.begin == 0 && r.end == cells(); });
-  for (std::size_t signal = 0; signal < signals.size(); ++signal) {
-    if (whole) {
-      gun.doses(s.drives, signals[signal], s.voltage, work.doses[signal].narrow.line(line),
-                work.doses[signal].wide.line(line));
-      continue;
-    }
-    gun.doses(s.drives, signals[signal], s.voltage, s.narrow.data(), s.wide.data());
-    for (const CellRange& range : ranges.range) {
-      if (!met(range)) continue;
-      LayerLight& doses = work.doses[signal];
-      std::copy(s.narrow.begin() + range.begin, s.narrow.begin() + range.end,
-                doses.narrow.line(line) + range.begin);
-      std::copy(s.wide.begin() + range.begin, s.wide.begin() + range.end,
-                doses.wide.line(line) + range.begin);
-    }
-  }
-}
-
-/// Whether a line that the beam meets whole is what it was: then its doses are too.
-bool RasterTube::State::reuses_line(const std::vector<GunDrive>& drives, const LineRanges& ranges,
-                                    int line) {
-  std::vector<GunDrive>& last = work.drives[static_cast<std::size_t>(line)];
-  const auto whole = [&](const CellRange& r) {
-    return r.excited && r.begin == 0 && r.end == cells();
-  };
-  if (std::none_of(std::begin(ranges.range), std::end(ranges.range), whole)) {
-    last.clear();
-    return false;
-  }
-  if (last == drives) return true;
-  last = drives;
-  return false;
-}
-
-void RasterTube::State::pass_line(BeamTime end, int line, bool first, TubeScratch& s) {
+void RasterTube::State::pass_line(BeamTime end, int line, bool first, LayerScratch& scratch) {
   const LineRanges ranges = line_ranges(scan, now, end, line);
   for (std::size_t i = 0; i < layers.size(); ++i) {
     TubeLayer& layer = layers[i];
-    const LayerLight& doses = work.doses[layer.signal];
+    const LayerLight& doses = work.doses.of(layer.signal);
     float* const narrow = work.light[i].narrow.line(line);
     float* const wide = work.light[i].wide.line(line);
     if (first) {
       std::fill_n(narrow, cells(), 0.0f);
       std::fill_n(wide, cells(), 0.0f);
     }
-    for (const CellRange& range : ranges.range) {
-      layer.phosphor.pass(line, range, {doses.narrow.line(line), doses.wide.line(line)}, s.layer,
+    for (const CellRange& range : ranges) {
+      layer.phosphor.pass(line, range, {doses.narrow.line(line), doses.wide.line(line)}, scratch,
                           {narrow, wide});
     }
   }
@@ -300,8 +167,8 @@ void RasterTube::State::pass_line(BeamTime end, int line, bool first, TubeScratc
 void RasterTube::State::pass_window(BeamTime end, Workers& workers) {
   const bool first = std::exchange(fresh, false);
   for (TubeLayer& layer : layers) layer.phosphor.set_window(to_clocks(end - now));
-  workers.run(tasks_of(lines()), [&](int task, int worker) {
-    TubeScratch& s = work.scratch[static_cast<std::size_t>(worker)];
+  workers.run(line_tasks(lines()), [&](int task, int worker) {
+    LayerScratch& s = work.scratch[static_cast<std::size_t>(worker)];
     const int stop = std::min(lines(), (task + 1) * kLinesATask);
     for (int line = task * kLinesATask; line < stop; ++line) pass_line(end, line, first, s);
   });
@@ -309,8 +176,7 @@ void RasterTube::State::pass_window(BeamTime end, Workers& workers) {
 
 /// Whether another frame of what was shown for so long that its light is steady has been read.
 bool RasterTube::State::is_steady(BeamTime length) {
-  bool changed = length != scan.frame_clocks();
-  for (TubeScratch& s : work.scratch) changed |= std::exchange(s.changed, false);
+  const bool changed = work.doses.take_changed() || length != scan.frame_clocks();
   work.steady_frames = changed ? 0 : work.steady_frames + 1;
   return work.steady_frames > settling_frames;
 }
@@ -326,7 +192,7 @@ bool RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& worker
   begun = now;
   do {
     const BeamTime cut = std::min(until, now + scan.frame_clocks());
-    read_buffer(buffer, cut, workers);
+    work.doses.read(scan, gun, signals, buffer, now, cut, workers);
     work.times.guns += watch.lap();
     if (is_steady(until - now)) {
       now = cut;
@@ -386,7 +252,7 @@ const Image<LinearRgb>& RasterTube::expose(FrameBuffer& buffer, Seconds end, Wor
   s.gather(buffer, end, workers);
   Stopwatch watch;
   s.set_up_screen(workers);
-  s.work.times.glow = s.screen->show(s.work.light, workers, false, s.work.picture);
+  s.work.times.glow = s.screen->show(s.work.light, workers, s.work.picture);
   s.work.times.glass = watch.lap() - s.work.times.glow;
   return s.work.picture;
 }
@@ -397,9 +263,8 @@ bool RasterTube::photograph(FrameBuffer& buffer, Seconds end, Workers& workers,
   assert(print.out.contains(print.left, print.top) &&
          print.out.contains(print.left + s.width - 1, print.top + s.height - 1));
   const bool changed = s.gather(buffer, end, workers);
-  const void* const place = print.out.row(print.top) + print.left;
-  const bool same = std::exchange(s.work.printed, place) == place &&
-                    std::exchange(s.work.printed_gain, print.gain) == print.gain;
+  const std::pair<const void*, float> printed(print.out.row(print.top) + print.left, print.gain);
+  const bool same = std::exchange(s.work.printed, printed) == printed;
   if (!changed && same && print.kept) return false;
   Stopwatch watch;
   s.set_up_screen(workers);

@@ -62,16 +62,11 @@ void CurvedRaster::begin_tile(SpreadRing& ring, int x, int groups) const {
 }
 
 void CurvedRaster::spread_line(const LayerLight& light, SpreadRing& ring, int line) const {
-  float* const narrow = ring.narrow.data() + ring_at(ring, line);
-  float* const wide = ring.wide.data() + ring_at(ring, line);
-  if (line < 0 || line >= lines_) {
-    std::fill_n(narrow, ring.groups * kGroup, 0.0f);
-    std::fill_n(wide, ring.groups * kGroup, 0.0f);
-    return;
-  }
+  const std::ptrdiff_t at = ring_at(ring, line);
+  if (line < 0 || line >= lines_) return ring.darken(at);
   spread_across_curve({map_.cells_of(line) + ring.x / kGroup, ring.groups, cells_, taps_,
                        cells_a_pixel_, narrow_across_, wide_across_},
-                      light.rows(line), {narrow, wide});
+                      light.rows(line), {ring.narrow.data() + at, ring.wide.data() + at});
 }
 
 /// Once for every row of the grid, the lines that its output rows need are spread across.

@@ -74,18 +74,18 @@ class Finisher {
 };
 
 template <typename Finish>
-HWY_INLINE void StoreLight(const Finish& finish, int n, bool add, LinearRgb* out) {
+HWY_INLINE void StoreLight(const Finish& finish, int n, LinearRgb* out) {
   float* to = &out->r;
   HWY_ALIGN float tail[3 * kMostLanes];
   for (int x = 0; x < n; x += lanes()) {
     const Colour colour = finish(x);
     const int count = 3 * std::min(lanes(), n - x);
-    if (!add && count == 3 * lanes()) {
+    if (count == 3 * lanes()) {
       hn::StoreInterleaved3(colour.c[0], colour.c[1], colour.c[2], d, to + 3 * x);
-      continue;
+    } else {
+      hn::StoreInterleaved3(colour.c[0], colour.c[1], colour.c[2], d, tail);
+      std::copy_n(tail, count, to + 3 * x);
     }
-    hn::StoreInterleaved3(colour.c[0], colour.c[1], colour.c[2], d, tail);
-    for (int i = 0; i < count; ++i) to[3 * x + i] = add ? to[3 * x + i] + tail[i] : tail[i];
   }
 }
 
@@ -145,8 +145,8 @@ HWY_INLINE void with_finisher(const FinishRow& row, const Body& body) {
   }
 }
 
-void FinishLight(const FinishRow& row, int n, bool add, LinearRgb* out) {
-  with_finisher(row, [=](const auto& finish) { StoreLight(finish, n, add, out); });
+void FinishLight(const FinishRow& row, int n, LinearRgb* out) {
+  with_finisher(row, [=](const auto& finish) { StoreLight(finish, n, out); });
 }
 
 void FinishEncoded(const FinishRow& row, int n, Srgb8* out) {
@@ -164,8 +164,8 @@ namespace kinescope {
 HWY_EXPORT(FinishLight);
 HWY_EXPORT(FinishEncoded);
 
-void finish_light(const FinishRow& row, int n, bool add, LinearRgb* out) {
-  HWY_DYNAMIC_DISPATCH(FinishLight)(row, n, add, out);
+void finish_light(const FinishRow& row, int n, LinearRgb* out) {
+  HWY_DYNAMIC_DISPATCH(FinishLight)(row, n, out);
 }
 
 void finish_encoded(const FinishRow& row, int n, Srgb8* out) {

@@ -23,8 +23,8 @@ struct FinishRow {
   float ambient[3] = {};
 };
 
-/// n pixels; `add` to what is there, or replace it.
-void finish_light(const FinishRow& row, int n, bool add, LinearRgb* out);
+/// n pixels.
+void finish_light(const FinishRow& row, int n, LinearRgb* out);
 /// n pixels, clamped and encoded by the sRGB curve within 0.7 codes.
 void finish_encoded(const FinishRow& row, int n, Srgb8* out);
 

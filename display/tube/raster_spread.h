@@ -3,6 +3,8 @@
 // pixel.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "display/tube/axis_weights.h"
@@ -31,6 +33,12 @@ struct SpreadRing {
   std::vector<int> base;
   AlignedVector<float> narrow_weight, wide_weight;
   const SpreadRing* lines_of = nullptr;
+
+  /// A line outside the raster, at a place in the ring.
+  void darken(std::ptrdiff_t at) {
+    std::fill_n(narrow.begin() + at, groups * kGroup, 0.0f);
+    std::fill_n(wide.begin() + at, groups * kGroup, 0.0f);
+  }
 };
 
 class StraightRaster {

@@ -190,13 +190,12 @@ void Screen::set_overlay(const std::vector<std::vector<float>>* overlay) {
 
 void Screen::set_length(double refreshes) { state_->refreshes = refreshes; }
 
-double Screen::show(std::span<const LayerLight> light, Workers& workers, bool add,
-                    Image<LinearRgb>& out) {
+double Screen::show(std::span<const LayerLight> light, Workers& workers, Image<LinearRgb>& out) {
   if (out.width() != state_->width || out.height() != state_->height) {
     out = Image<LinearRgb>(state_->width, state_->height);
   }
   return state_->draw(light, workers, 1, [&](const FinishRow& row, int x, int y, int n) {
-    finish_light(row, n, add, out.row(y) + x);
+    finish_light(row, n, out.row(y) + x);
   });
 }
 

@@ -35,9 +35,9 @@ class Screen {
   void set_length(double refreshes);
   /// Light that lies over the raster's from now on, the screen's size for each layer; empty: none.
   void set_overlay(const std::vector<std::vector<float>>* overlay);
-  /// @param add to what `out` holds; else it is given the screen's size and overwritten
+  /// @param out is given the screen's size
   /// @return ms of it that halation took
-  double show(std::span<const LayerLight> light, Workers& workers, bool add, Image<LinearRgb>& out);
+  double show(std::span<const LayerLight> light, Workers& workers, Image<LinearRgb>& out);
   /// The same times `gain`, encoded, into `out` with its upper left corner at (left, top).
   double photograph(std::span<const LayerLight> light, Workers& workers, float gain,
                     Image<Srgb8>& out, int left, int top);

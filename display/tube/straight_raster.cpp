@@ -73,17 +73,12 @@ void StraightRaster::begin_tile(SpreadRing& ring, int x, int groups) const {
 }
 
 void StraightRaster::spread_line(const LayerLight& light, SpreadRing& ring, int line) const {
-  float* const narrow = ring.narrow.data() + ring_at(ring, line);
-  float* const wide = ring.wide.data() + ring_at(ring, line);
-  if (line < 0 || line >= lines_) {
-    std::fill_n(narrow, ring.groups * kGroup, 0.0f);
-    std::fill_n(wide, ring.groups * kGroup, 0.0f);
-    return;
-  }
+  const std::ptrdiff_t at = ring_at(ring, line);
+  if (line < 0 || line >= lines_) return ring.darken(at);
   spread_across(
       {across_.start.data() + ring.x, across_.weight[0].data() + ring.x,
        across_.weight[1].data() + ring.x, across_.taps, across_.pitch, ring.groups, span_},
-      light.rows(line), {narrow, wide});
+      light.rows(line), {ring.narrow.data() + at, ring.wide.data() + at});
 }
 
 /// Each line that the row needs is spread across once.

@@ -16,12 +16,6 @@
 namespace kinescope {
 namespace {
 
-constexpr std::uint32_t kWhite = 0xffffff;
-
-Seconds at_clock(const VideoMode& mode, double clock) {
-  return Seconds(clock / mode.pixel_clock_hz);
-}
-
 TEST(RasterTube, SteadyWhiteIsOne) {
   const VideoMode mode = parse_mode("640x480@60");
   FrameBuffer buffer = buffer_for(mode);
@@ -108,81 +102,6 @@ TEST(RasterTube, ARadarsPictureTurnsFromBlueToYellowishGreenWhenTheBeamStops) {
     EXPECT_GT(faded.g, 2 * std::abs(faded.b)) << phosphor;
     EXPECT_GT(faded.g, faded.r) << phosphor;
     EXPECT_LT(faded.g, 1e-4f * lit.b) << phosphor;
-  }
-}
-
-/// Total light of [0, 1 s) in the given number of exposures; the picture changes at every retrace.
-LightSum light_in_slices(const VideoMode& mode, const TubeSettings& settings, int slices, int width,
-                         int height) {
-  FrameBuffer buffer = buffer_for(mode, 2);
-  fill_random(buffer, 0, 1);
-  fill_random(buffer, 1, 2);
-  buffer.flip_at_retrace(1);
-  RasterTube tube(settings, width, height);
-  Workers workers(1);
-  LightSum sum;
-  for (int i = 1; i <= slices; ++i) {
-    sum.add(tube.expose(buffer, Seconds(static_cast<double>(i) / slices), workers));
-  }
-  return sum;
-}
-
-void expect_equal_light(const LightSum& whole, const LightSum& slices, double tolerance,
-                        const std::string& what) {
-  for (std::size_t i = 0; i < whole.values().size(); i += 3) {
-    const double* const want = whole.values().data() + i;
-    // A channel in which layers' light cancels out is a small difference of large sums: a pixel's
-    // error is a share of its brightest channel.
-    const double light = std::max({std::abs(want[0]), std::abs(want[1]), std::abs(want[2])});
-    for (std::size_t c = 0; c < 3; ++c) {
-      ASSERT_NEAR(slices.values()[i + c], want[c], tolerance * light + 1e-9) << what << " " << i;
-    }
-  }
-}
-
-TEST(RasterTube, OneSecondIsTheSumOfItsSlices) {
-  for (const bool interlaced : {false, true}) {
-    for (const char* phosphor : {"P22", "P1", "P31", "P7-long"}) {
-      const VideoMode mode = tiny_mode(interlaced);
-      const TubeSettings settings{mode, phosphor};
-      const LightSum whole = light_in_slices(mode, settings, 1, 17, 13);
-      for (const int slices : {7, 60, 1000}) {
-        expect_equal_light(whole, light_in_slices(mode, settings, slices, 17, 13), 1e-5,
-                           std::string(phosphor) + " in " + std::to_string(slices));
-      }
-    }
-  }
-}
-
-TEST(RasterTube, OneSecondOfATelevisionIsTheSumOfItsSlices) {
-  VideoMode mode = parse_mode("ntsc");
-  mode.horizontal = {45, 2, 5, 6};
-  mode.vertical = {32, 1, 2, 2};
-  mode.pixel_clock_hz = 58 * 37 * 30;
-  const TubeSettings settings{mode};
-  const LightSum whole = light_in_slices(mode, settings, 1, 64, 48);
-  for (const int slices : {7, 60, 1000}) {
-    expect_equal_light(whole, light_in_slices(mode, settings, slices, 64, 48), 1e-5,
-                       std::to_string(slices));
-  }
-}
-
-TEST(RasterTube, TenThousandSlicesOfAFrameAddUp) {
-  for (const char* phosphor : {"P22", "P1"}) {
-    const VideoMode mode = tiny_mode();
-    FrameBuffer buffer = buffer_for(mode);
-    fill_random(buffer, 0, 5);
-    RasterTube tube = cell_tube(mode, phosphor);
-    Workers workers(1);
-    const double begin = 3 * 220 + 31.7;
-    tube.expose(buffer, at_clock(mode, begin), workers);
-    RasterTube sliced = tube;
-    LightSum whole, sum;
-    whole.add(tube.expose(buffer, at_clock(mode, begin + 220), workers));
-    for (int i = 1; i <= 10000; ++i) {
-      sum.add(sliced.expose(buffer, at_clock(mode, begin + 220 * i / 10000.0), workers));
-    }
-    expect_equal_light(whole, sum, 1e-5, phosphor);
   }
 }
 
@@ -414,6 +333,13 @@ TEST(RasterTube, AStillPictureIsDrawnOnceAndStaysExact) {
   // Elsewhere, or no longer kept, it is drawn again, and alike.
   EXPECT_TRUE(tube.photograph(buffer, frame++ * mode.frame_period(), workers, {again}));
   EXPECT_EQ(again, out);
+  // So it is by another gain, and when that is taken back.
+  EXPECT_TRUE(
+      tube.photograph(buffer, frame++ * mode.frame_period(), workers, {out, 0.5f, 0, 0, true}));
+  EXPECT_NE(again, out);
+  EXPECT_TRUE(
+      tube.photograph(buffer, frame++ * mode.frame_period(), workers, {out, 1, 0, 0, true}));
+  EXPECT_EQ(again, out);
   // A change shows at once; and what was skipped is missed by no later exposure.
   RasterTube other({mode}, 20, 20);
   for (int i = 1; i < frame; ++i) other.expose(buffer, i * mode.frame_period(), workers);
@@ -442,92 +368,6 @@ TEST(RasterTube, RefusesWhatIsNoTube) {
   VideoMode broken = tiny_mode();
   broken.horizontal.sync = 0;
   EXPECT_THROW(RasterTube({broken}, 8, 8), Error);
-}
-
-std::vector<LinearRgb> values(const Image<LinearRgb>& picture) {
-  return {picture.pixels().begin(), picture.pixels().end()};
-}
-
-TubeSettings everything_set(const VideoMode& mode) {
-  TubeSettings settings{mode, "P22"};
-  settings.glass.curvature_mm = 500;
-  settings.glass.halation = 0.1;
-  settings.mask.kind = MaskKind::kDots;
-  settings.mask.pitch_mm = 20;
-  return settings;
-}
-
-/// Turns knobs that lie behind the cells, one at a time.
-const std::vector<void (*)(TubeSettings&)> kFrontKnobs = {
-    [](TubeSettings& s) { s.deflection.rotation_deg = 5; },
-    [](TubeSettings& s) { s.deflection.convergence[0].x_mm = 3; },
-    [](TubeSettings& s) { s.mask.pitch_mm = 30; },
-    [](TubeSettings& s) { s.mask.kind = MaskKind::kNone; },
-    [](TubeSettings& s) { s.glass.curvature_mm = 0; },
-    [](TubeSettings& s) { s.glass.halation = 0.3; },
-    [](TubeSettings& s) { s.glass.ambient = 0.1; },
-    [](TubeSettings& s) {
-      s.glass.tint = {0.5, 1, 1};
-    },
-    [](TubeSettings& s) { s.glass.diagonal_mm = 200; },
-    [](TubeSettings& s) { s.gun.blanking = -0.3; },  // the retrace shows
-};
-
-TEST(RasterTube, KnobsBehindTheCellsShowTheLightThereIsAsIfTheyHadAlwaysStoodSo) {
-  const VideoMode mode = tiny_mode();
-  FrameBuffer buffer = buffer_for(mode);
-  fill_random(buffer, 0, 5);
-  Workers workers(1);
-  const Seconds turned_at = at_clock(mode, 305.5), end = at_clock(mode, 410.25);
-  for (std::size_t knob = 0; knob < kFrontKnobs.size(); ++knob) {
-    TubeSettings settings = everything_set(mode);
-    RasterTube turned(settings, 60, 45);
-    turned.expose(buffer, turned_at, workers);
-    const RasterTube as_it_was = turned;
-    kFrontKnobs[knob](settings);
-    ASSERT_TRUE(turned.adjust(settings));
-    RasterTube always(settings, 60, 45);
-    always.expose(buffer, turned_at, workers);
-    const Image<LinearRgb> seen = turned.expose(buffer, end, workers);
-    EXPECT_EQ(values(seen), values(always.expose(buffer, end, workers))) << knob;
-    RasterTube left_alone = as_it_was;  // a copy has its own knobs
-    EXPECT_NE(values(seen), values(left_alone.expose(buffer, end, workers))) << knob;
-  }
-}
-
-TEST(RasterTube, WhatGlowsFadesOnWhenTheContrastIsTurnedDown) {
-  const VideoMode mode = tiny_mode();
-  const Seconds frame = mode.frame_period();
-  Workers workers(1);
-  FrameBuffer buffer = buffer_for(mode), black = buffer_for(mode);
-  fill(buffer, 0, kWhite);
-  RasterTube turned = cell_tube(mode, "P1");
-  turned.expose(buffer, 4 * frame, workers);
-  RasterTube faded = turned;
-  TubeSettings dark = sharp(mode, "P1");
-  dark.gun.contrast = 0;
-  ASSERT_TRUE(turned.adjust(dark));
-  const Image<LinearRgb> light = turned.expose(buffer, 5 * frame, workers);
-  EXPECT_GT(light.at(3, 3).g, 0.1f);
-  EXPECT_EQ(values(light), values(faded.expose(black, 5 * frame, workers)));
-}
-
-TEST(RasterTube, AnotherModeOrPhosphorIsAnotherTube) {
-  const VideoMode mode = tiny_mode();
-  FrameBuffer buffer = buffer_for(mode);
-  fill(buffer, 0, kWhite);
-  Workers workers(1);
-  for (const TubeSettings& other : {sharp(tiny_mode(true), "P22"), sharp(mode, "P1")}) {
-    RasterTube tube = cell_tube(mode, "P22");
-    tube.expose(buffer, 2 * mode.frame_period(), workers);
-    EXPECT_FALSE(tube.adjust(other));
-    EXPECT_EQ(tube.now(), Seconds(0));
-    EXPECT_EQ(tube.settings(), other);
-    RasterTube fresh(other, mode.horizontal.active, mode.vertical.active);
-    const Seconds end = mode.frame_period();
-    EXPECT_EQ(values(tube.expose(buffer, end, workers)),
-              values(fresh.expose(buffer, end, workers)));
-  }
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ double largest_difference(const TubeSettings& settings) {
   Screen screen(settings, kLayers, kWidth, kHeight);
   Workers workers(2);
   Image<LinearRgb> picture;
-  screen.show(light, workers, false, picture);
+  screen.show(light, workers, picture);
   double largest = 0;
   for (int gun = 0; gun < 3; ++gun) {
     const StepReference reference(settings, gun);
@@ -166,7 +166,7 @@ TEST(Screen, PhotographsAreTheEncodedLight) {
   Screen screen(settings, kLayers, kWidth, kHeight);
   Workers workers(1);
   Image<LinearRgb> picture;
-  screen.show(light, workers, false, picture);
+  screen.show(light, workers, picture);
   Image<Srgb8> photograph(kWidth + 7, kHeight + 5);
   screen.photograph(light, workers, 0.7f, photograph, 4, 3);
   for (int y = 0; y < kHeight; ++y) {
@@ -198,7 +198,7 @@ TEST(Screen, HalationTakesFromALightAndGivesToItsSurroundings) {
     settings.glass.halation = share;
     Screen screen(settings, kLayers, kWidth, kHeight);
     Image<LinearRgb> picture;
-    screen.show(light, workers, false, picture);
+    screen.show(light, workers, picture);
     double sum = 0;
     for (const LinearRgb& p : picture.pixels()) sum += static_cast<double>(p.g);
     return std::pair(sum, static_cast<double>(picture.at(84, 42).g));  // 14 pixels above the light
@@ -222,7 +222,7 @@ Blob blob_of_cell(const TubeSettings& settings, int cell, int width, int height)
   }
   Workers workers(1);
   Image<LinearRgb> picture;
-  Screen(settings, kLayers, width, height).show(light, workers, false, picture);
+  Screen(settings, kLayers, width, height).show(light, workers, picture);
   Blob blob;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

@@ -1,14 +1,24 @@
 // A tube small enough to reason about cell by cell, and pictures for it.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "display/raster_tube.h"
 
 namespace kinescope {
+
+inline constexpr std::uint32_t kWhite = 0xffffff;
+
+inline Seconds at_clock(const VideoMode& mode, double clock) {
+  return Seconds(clock / mode.pixel_clock_hz);
+}
 
 /// 12x8 pixels in 20x11 clocks, 60 frames a second. A clock lasts 76 us, so that phosphors fade
 /// within pixels, lines and frames alike.
@@ -72,5 +82,18 @@ class LightSum {
  private:
   std::vector<double> sum_;
 };
+
+/// Fails where a channel is further off than a share of its pixel's brightest: where layers' light
+/// cancels out, a channel is a small difference of large sums.
+inline void expect_equal_light(const LightSum& whole, const LightSum& slices, double tolerance,
+                               const std::string& what) {
+  for (std::size_t i = 0; i < whole.values().size(); i += 3) {
+    const double* const want = whole.values().data() + i;
+    const double light = std::max({std::abs(want[0]), std::abs(want[1]), std::abs(want[2])});
+    for (std::size_t c = 0; c < 3; ++c) {
+      ASSERT_NEAR(slices.values()[i + c], want[c], tolerance * light + 1e-9) << what << " " << i;
+    }
+  }
+}
 
 }  // namespace kinescope

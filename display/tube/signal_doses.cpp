@@ -1,0 +1,102 @@
+#include "display/tube/signal_doses.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kinescope {
+namespace {
+
+bool is_met(const CellRange& range) { return range.excited && range.begin != range.end; }
+
+bool is_met_whole(const LineRanges& ranges, std::size_t cells) {
+  return std::any_of(ranges.begin(), ranges.end(), [&](const CellRange& r) {
+    return is_met(r) && r.begin == 0 && r.end == static_cast<int>(cells);
+  });
+}
+
+}  // namespace
+
+void SignalDoses::prepare(const RasterScan& scan, const Gun& gun, std::span<const Signal> signals,
+                          const Workers& workers) {
+  const int cells = scan.mode().horizontal.active, lines = scan.mode().vertical.active;
+  while (doses_.size() < signals.size()) doses_.push_back({{cells, lines}, {cells, lines}});
+  drives_.resize(static_cast<std::size_t>(lines));
+  const std::size_t n = static_cast<std::size_t>(cells);
+  scratch_.resize(static_cast<std::size_t>(workers.count()));
+  for (Scratch& s : scratch_) {
+    s.drives.resize(n);
+    s.narrow.resize(n);
+    s.wide.resize(n);
+    s.voltage.resize(n + 2 * static_cast<std::size_t>(gun.reach()) + kGroup);
+  }
+}
+
+bool SignalDoses::take_changed() {
+  bool changed = false;
+  for (Scratch& s : scratch_) changed |= std::exchange(s.changed, false);
+  return changed;
+}
+
+void SignalDoses::read(const RasterScan& scan, const Gun& gun, std::span<const Signal> signals,
+                       FrameBuffer& buffer, BeamTime begin, BeamTime end, Workers& workers) {
+  const int lines = scan.mode().vertical.active;
+  const auto read_part = [&](BeamTime from, BeamTime to) {
+    if (from >= to) return;
+    workers.run(line_tasks(lines), [&](int task, int worker) {
+      const int last = std::min(lines, (task + 1) * kLinesATask);
+      for (int line = task * kLinesATask; line < last; ++line) {
+        read_line(gun, signals, buffer, line_ranges(scan, from, to, line), line,
+                  scratch_[static_cast<std::size_t>(worker)]);
+      }
+    });
+  };
+  std::int64_t frame = divide(begin, scan.frame_clocks()).whole;
+  for (int field = 0;; frame += ++field / scan.fields(), field %= scan.fields()) {
+    const BeamTime retrace = scan.retrace_start_clocks(frame, field);
+    if (retrace < begin) continue;
+    if (retrace >= end) break;
+    read_part(begin, retrace);
+    buffer.vertical_retrace();
+    begin = retrace;
+  }
+  read_part(begin, end);
+}
+
+void SignalDoses::read_line(const Gun& gun, std::span<const Signal> signals,
+                            const FrameBuffer& buffer, const LineRanges& ranges, int line,
+                            Scratch& s) {
+  if (std::none_of(ranges.begin(), ranges.end(), is_met)) return;
+  if (line >= buffer.height()) {
+    std::fill(s.drives.begin(), s.drives.end(), GunDrive{});
+  } else {
+    buffer.read_line(line, s.drives);
+  }
+  // A line that the beam meets whole and that is what it was has its doses already.
+  std::vector<GunDrive>& last = drives_[static_cast<std::size_t>(line)];
+  const bool whole = is_met_whole(ranges, s.drives.size());
+  if (whole && last == s.drives) return;
+  s.changed = true;
+  last.assign(s.drives.begin(), whole ? s.drives.end() : s.drives.begin());
+  for (std::size_t signal = 0; signal < signals.size(); ++signal) {
+    if (whole) {
+      gun.doses(s.drives, signals[signal], s.voltage, doses_[signal].narrow.line(line),
+                doses_[signal].wide.line(line));
+    } else {
+      gun.doses(s.drives, signals[signal], s.voltage, s.narrow.data(), s.wide.data());
+      copy_ranges(ranges, line, signal, s);
+    }
+  }
+}
+
+void SignalDoses::copy_ranges(const LineRanges& ranges, int line, std::size_t signal,
+                              const Scratch& s) {
+  for (const CellRange& range : ranges) {
+    if (!is_met(range)) continue;
+    std::copy(s.narrow.begin() + range.begin, s.narrow.begin() + range.end,
+              doses_[signal].narrow.line(line) + range.begin);
+    std::copy(s.wide.begin() + range.begin, s.wide.begin() + range.end,
+              doses_[signal].wide.line(line) + range.begin);
+  }
+}
+
+}  // namespace kinescope
