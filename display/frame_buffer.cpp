@@ -5,6 +5,7 @@
 #include <string>
 
 #include "raster/base/error.h"
+#include "raster/colour/pack_words.h"
 
 namespace kinescope {
 namespace {
@@ -129,6 +130,11 @@ void FrameBuffer::store(int page, const Image<Srgb8>& picture) {
   for (int y = 0; y < height_; ++y) {
     std::uint8_t* out = memory(page).data() + static_cast<std::ptrdiff_t>(y) * pitch_;
     const Srgb8* in = picture.row(y);
+    if (format_ == PixelFormat::kXrgb8888) {
+      const auto count = static_cast<std::size_t>(width_);
+      pack_words({in, count}, {}, {reinterpret_cast<std::uint32_t*>(out), count});
+      continue;
+    }
     for (int x = 0; x < width_; ++x, out += bytes) {
       put_little_endian(out, bytes, pack(format_, in[x]));
     }

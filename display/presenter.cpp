@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "raster/base/error.h"
+#include "raster/colour/pack_words.h"
 
 namespace kinescope {
 namespace {
@@ -72,16 +73,14 @@ void copy_centred(const Image<Srgb8>& picture, SDL_Surface& surface) {
   const int from_x = (picture.width() - width) / 2, to_x = (surface.w - width) / 2;
   const int from_y = (picture.height() - height) / 2, to_y = (surface.h - height) / 2;
   const SDL_PixelFormat& format = *surface.format;
-  const int r = format.Rshift, g = format.Gshift, b = format.Bshift;
+  const WordLayout layout{format.Rshift, format.Gshift, format.Bshift};
   for (int y = 0; y < height; ++y) {
     const Srgb8* in = picture.row(from_y + y) + from_x;
     auto* out = reinterpret_cast<Uint32*>(static_cast<Uint8*>(surface.pixels) +
                                           static_cast<std::ptrdiff_t>(to_y + y) * surface.pitch) +
                 to_x;
-    for (int x = 0; x < width; ++x) {
-      out[x] = static_cast<Uint32>(in[x].r) << r | static_cast<Uint32>(in[x].g) << g |
-               static_cast<Uint32>(in[x].b) << b;
-    }
+    pack_words({in, static_cast<std::size_t>(width)}, layout,
+               {out, static_cast<std::size_t>(width)});
   }
 }
 
