@@ -109,6 +109,26 @@ void PhosphorLayer::pass(int line, const CellRange& range, DoseRows new_dose, La
   }
 }
 
+void PhosphorLayer::leave(std::size_t which, int line, const CellRange& range, LightRows to_come) {
+  const int count = range.end - range.begin;
+  if (count <= 0) return;
+  const Term& term = terms_[which];
+  const double since_last = range.since - (count - 1);
+  const float* decay = term.decay.data() + (width_ - count);
+  // A cell that the beam is just leaving counts as left.
+  const double of_dose =
+      term.share * term.after_dwell * decayed(std::max(0.0, since_last - kDwell), term.tau).left;
+  const double of_state = decayed(since_last, term.tau).left;
+  for (std::size_t basis = 0; basis < kBases; ++basis) {
+    float* const out = to_come[basis] + range.begin;
+    std::fill_n(out, count, 0.0f);
+    add_light(count, as_float(of_dose), decay, dose_row(basis, line) + range.begin, out);
+    if (term.plane < 0) continue;
+    add_light(count, as_float(of_state), decay, state_row(basis, term.plane, line) + range.begin,
+              out);
+  }
+}
+
 void PhosphorLayer::emit(int line, const CellRange& range, int count, LayerScratch& scratch,
                          LightRows light) {
   const double since_last = range.since - (count - 1);

@@ -41,6 +41,11 @@ class PhosphorLayer {
   void pass(int line, const CellRange& range, DoseRows new_dose, LayerScratch& scratch,
             LightRows light);
 
+  /// Of one term, the light that the cells of a range still have to give when a window begins that
+  /// does not excite them; stored in `to_come`.
+  void leave(std::size_t term, int line, const CellRange& range, LightRows to_come);
+
+  std::size_t terms() const { return terms_.size(); }
   void darken();
 
  private:

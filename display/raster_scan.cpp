@@ -50,6 +50,14 @@ BeamTime RasterScan::retrace_start_clocks(std::int64_t frame, int field) const {
          clocks(static_cast<std::int64_t>(picture_lines(field)) * mode_.horizontal.total());
 }
 
+BeamTime RasterScan::retrace_from(BeamTime t) const {
+  std::int64_t frame = divide(t, frame_clocks()).whole;
+  for (int field = 0;; frame += ++field / fields(), field %= fields()) {
+    const BeamTime retrace = retrace_start_clocks(frame, field);
+    if (retrace >= t) return retrace;
+  }
+}
+
 Seconds RasterScan::line_start(std::int64_t frame, int line) const {
   return clock_.seconds(line_start_clocks(frame, line));
 }

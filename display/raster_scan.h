@@ -48,6 +48,8 @@ class RasterScan {
   BeamTime frame_clocks() const;
   BeamTime line_start_clocks(std::int64_t frame, int line) const;
   BeamTime retrace_start_clocks(std::int64_t frame, int field) const;
+  /// The first of these at `t` or later.
+  BeamTime retrace_from(BeamTime t) const;
 
  private:
   int picture_lines(int field) const;

@@ -4,11 +4,14 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "display/layer_colours.h"
 #include "display/phosphor_layer.h"
+#include "display/tube/afterglow.h"
+#include "display/tube/free_raster.h"
 #include "display/tube/retrace_light.h"
 #include "display/tube/screen.h"
 #include "display/tube/signal_doses.h"
@@ -33,6 +36,7 @@ class Stopwatch {
 struct TubeWork {
   SignalDoses doses;
   std::vector<LayerLight> light;  // of each layer, of the exposure
+  LightOverlay overlay;           // light that does not lie on its cells
   Image<LinearRgb> picture;
   std::vector<LayerScratch> scratch;        // of each worker
   int steady_frames = 0;                    // whole ones that passed while no line changed
@@ -55,6 +59,15 @@ int frames_to_settle(const Phosphor& phosphor, const RasterScan& scan) {
   return static_cast<int>(std::min(std::ceil(frames) + 1, 1e9));
 }
 
+std::vector<std::vector<Seconds>> taus_of(const PhosphorType& type) {
+  std::vector<std::vector<Seconds>> taus;
+  for (const Phosphor& layer : type.layers) {
+    taus.emplace_back();
+    for (const DecayTerm& term : layer.terms) taus.back().push_back(term.tau);
+  }
+  return taus;
+}
+
 struct TubeLayer {
   PhosphorLayer phosphor;
   std::size_t signal;
@@ -67,14 +80,23 @@ struct RasterTube::State {
 
   void set_size(int new_width, int new_height);
   void turn_knobs(const TubeSettings& turned);
+  void reset();
+  void leave_glow(Workers& workers);
+  std::optional<FreeRaster> make_free() const;
   void build_front(const Screen* like);
   void prepare(Workers& workers);
   bool gather(FrameBuffer& buffer, Seconds end, Workers& workers);
+  bool gather_locked(FrameBuffer& buffer, BeamTime until, Workers& workers);
+  void gather_free(FrameBuffer& buffer, BeamTime until, Workers& workers);
   bool is_steady(BeamTime length);
   void set_up_screen(Workers& workers);
   void pass_window(BeamTime end, Workers& workers);
   void pass_line(BeamTime end, int line, bool first, LayerScratch& scratch);
 
+  /// Of the cells, if the raster is locked.
+  std::span<const LayerLight> lights() const {
+    return free ? std::span<const LayerLight>() : std::span<const LayerLight>(work.light);
+  }
   int cells() const { return scan.mode().horizontal.active; }
   int lines() const { return scan.mode().vertical.active; }
 
@@ -86,6 +108,11 @@ struct RasterTube::State {
   std::vector<Signal> signals;
   std::vector<TubeLayer> layers;
   std::vector<ScreenLayer> screen_layers;
+  std::optional<FreeRaster> free;  // if sweeps may land elsewhere than the last one did
+  Afterglow afterglow;             // of what the raster left behind
+  // Where the raster lay when knobs moved it, until what glows there has been left behind.
+  std::shared_ptr<Screen> moved_from;
+  std::optional<FreeRaster> free_then;
   int settling_frames = 0;         // until the light of a still picture is steady
   int width = 0, height = 0;       // of the output
   std::shared_ptr<Screen> screen;  // follows from the settings and the size
@@ -95,7 +122,10 @@ struct RasterTube::State {
 };
 
 RasterTube::State::State(const TubeSettings& s, int new_width, int new_height)
-    : settings(s), scan(s.mode), gun(s.gun, SpotModel(s.spot), s.mode.pixel_clock_hz) {
+    : settings(s),
+      scan(s.mode),
+      gun(s.gun, SpotModel(s.spot), s.mode.pixel_clock_hz),
+      afterglow(taus_of(find_phosphor(s.phosphor)), new_width, new_height) {
   const PhosphorType& type = find_phosphor(s.phosphor);
   const auto colours = layer_colours(type);
   signals = type.colour ? std::vector{Signal::kRed, Signal::kGreen, Signal::kBlue}
@@ -108,20 +138,70 @@ RasterTube::State::State(const TubeSettings& s, int new_width, int new_height)
                       signal});
     screen_layers.push_back({static_cast<int>(signal), colours[i]});
   }
+  free = make_free();
   set_size(new_width, new_height);
+}
+
+std::optional<FreeRaster> RasterTube::State::make_free() const {
+  if (!is_free(settings)) return std::nullopt;
+  return FreeRaster(settings, signals, screen_layers, find_phosphor(settings.phosphor).layers);
+}
+
+void RasterTube::State::reset() {
+  now = BeamTime();
+  work.steady_frames = 0;
+  for (TubeLayer& layer : layers) layer.phosphor.darken();
+  afterglow.darken();
+  moved_from.reset();
+  free = make_free();
 }
 
 void RasterTube::State::set_size(int new_width, int new_height) {
   assert(new_width > 0 && new_height > 0);
   width = new_width;
   height = new_height;
+  afterglow.resize(width, height);
+  moved_from.reset();
   build_front(nullptr);
 }
 
 void RasterTube::State::turn_knobs(const TubeSettings& turned) {
+  const bool moves = settings.deflection != turned.deflection || settings.spot != turned.spot ||
+                     settings.sweep != turned.sweep;
+  if (moves && !moved_from && now != BeamTime()) {
+    moved_from = screen;
+    free_then = free;
+  }
+  const FreeSweep swept = free ? free->sweep() : FreeSweep({}, settings.mode);
   settings = turned;
   gun = Gun(settings.gun, SpotModel(settings.spot), settings.mode.pixel_clock_hz);
+  if (moves) {
+    free = make_free();
+    if (free) free->take_over(swept, now);
+  }
+  if (free) free->turn_knobs(settings);
   build_front(screen.get());
+}
+
+/// The raster has moved: what glows stays where it was.
+void RasterTube::State::leave_glow(Workers& workers) {
+  const std::shared_ptr<Screen> there = std::exchange(moved_from, nullptr);
+  if (!there) return;
+  if (free_then) return std::exchange(free_then, std::nullopt)->leave(*there, afterglow, workers);
+  LayerLight light{{cells(), lines()}, {cells(), lines()}};
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    PhosphorLayer& phosphor = layers[i].phosphor;
+    for (std::size_t term = 0; term < phosphor.terms(); ++term) {
+      workers.run(lines(), [&](int line, int) {
+        for (const CellRange& range : line_ranges(scan, now, now, line)) {
+          if (range.excited) continue;
+          phosphor.leave(term, line, range, {light.narrow.line(line), light.wide.line(line)});
+        }
+      });
+      there->spread(there->rasters(), i, light, workers, afterglow.open(i, term));
+    }
+    phosphor.darken();
+  }
 }
 
 /// What follows from the settings and the size.
@@ -176,20 +256,40 @@ void RasterTube::State::pass_window(BeamTime end, Workers& workers) {
 
 /// Whether another frame of what was shown for so long that its light is steady has been read.
 bool RasterTube::State::is_steady(BeamTime length) {
-  const bool changed = work.doses.take_changed() || length != scan.frame_clocks();
+  const bool changed =
+      work.doses.take_changed() || length != scan.frame_clocks() || !afterglow.empty();
   work.steady_frames = changed ? 0 : work.steady_frames + 1;
   return work.steady_frames > settling_frames;
 }
 
-/// The light of every cell in [now, end). @return whether it differs from the last exposure's
+/// The light of [now, end). @return whether it differs from the last exposure's
 bool RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& workers) {
   const BeamTime until = scan.clock().at(end);
   assert(until >= now);
-  prepare(workers);
   work.times = {};
+  begun = now;
+  leave_glow(workers);
+  work.overlay.resize(free || !afterglow.empty() ? layers.size() : 0);
+  for (std::vector<float>& plane : work.overlay) {
+    plane.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0f);
+  }
+  if (!free) return gather_locked(buffer, until, workers);
+  gather_free(buffer, until, workers);
+  return true;
+}
+
+void RasterTube::State::gather_free(FrameBuffer& buffer, BeamTime until, Workers& workers) {
+  Stopwatch watch;
+  free->pass(scan, buffer, now, until, *screen, afterglow, work.overlay, workers);
+  now = until;
+  work.times.phosphor = watch.lap();
+}
+
+bool RasterTube::State::gather_locked(FrameBuffer& buffer, BeamTime until, Workers& workers) {
+  prepare(workers);
   Stopwatch watch;
   fresh = true;
-  begun = now;
+  afterglow.pass(scan.clock().seconds(until - now), work.overlay, workers);
   do {
     const BeamTime cut = std::min(until, now + scan.frame_clocks());
     work.doses.read(scan, gun, signals, buffer, now, cut, workers);
@@ -207,7 +307,13 @@ bool RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& worker
 
 /// What the exposure from `begun` to now sees besides the raster.
 void RasterTube::State::set_up_screen(Workers& workers) {
-  screen->set_overlay(&retrace_light->light(begun, now, workers));
+  const LightOverlay& retrace = retrace_light->light(begun, now, workers);
+  if (!work.overlay.empty() && !retrace.empty()) {
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      add_scaled(width * height, 1, retrace[i].data(), work.overlay[i].data());
+    }
+  }
+  screen->set_overlay(work.overlay.empty() ? &retrace : &work.overlay);
   screen->set_length(to_clocks(now - begun) / to_clocks(scan.frame_clocks()));
 }
 
@@ -226,11 +332,7 @@ const RasterScan& RasterTube::scan() const { return state_->scan; }
 const TubeSettings& RasterTube::settings() const { return state_->settings; }
 Seconds RasterTube::now() const { return state_->scan.clock().seconds(state_->now); }
 
-void RasterTube::reset() {
-  state_->now = BeamTime();
-  state_->work.steady_frames = 0;
-  for (TubeLayer& layer : state_->layers) layer.phosphor.darken();
-}
+void RasterTube::reset() { state_->reset(); }
 
 void RasterTube::resize(int width, int height) { state_->set_size(width, height); }
 
@@ -252,7 +354,7 @@ const Image<LinearRgb>& RasterTube::expose(FrameBuffer& buffer, Seconds end, Wor
   s.gather(buffer, end, workers);
   Stopwatch watch;
   s.set_up_screen(workers);
-  s.work.times.glow = s.screen->show(s.work.light, workers, s.work.picture);
+  s.work.times.glow = s.screen->show(s.lights(), workers, s.work.picture);
   s.work.times.glass = watch.lap() - s.work.times.glow;
   return s.work.picture;
 }
@@ -269,7 +371,7 @@ bool RasterTube::photograph(FrameBuffer& buffer, Seconds end, Workers& workers,
   Stopwatch watch;
   s.set_up_screen(workers);
   s.work.times.glow =
-      s.screen->photograph(s.work.light, workers, print.gain, print.out, print.left, print.top);
+      s.screen->photograph(s.lights(), workers, print.gain, print.out, print.left, print.top);
   s.work.times.glass = watch.lap() - s.work.times.glow;
   return true;
 }

@@ -34,8 +34,8 @@ class RasterTube {
   void reset();
   /// Changes the picture's size in output pixels; the phosphor keeps its state.
   void resize(int width, int height);
-  /// Turns the knobs. In the same mode, with the same phosphor, cells keep their light, and what
-  /// glows already moves with the raster (in life it stays where it was: to be lifted later).
+  /// Turns the knobs. In the same mode, with the same phosphor, the faceplate keeps its light: what
+  /// glows stays where it was when the raster moves.
   /// @return whether that was so; else it is a new tube: dark, at time 0
   bool adjust(const TubeSettings& settings);
 

@@ -75,9 +75,13 @@ BeamMap beam_map(const TubeSettings& settings, int gun, int cells, int lines, in
   }
   map.cell_on_line.resize(static_cast<std::size_t>(lines) * static_cast<std::size_t>(map.columns));
   for (int i = 0; i < map.columns; ++i) cross_lines(map, i, lines);
+  set_ring(map, tile_columns);
+  return map;
+}
+
+void set_ring(BeamMap& map, int tile_columns) {
   const float span = line_span(map, tile_columns / kGroup) + kLineTaps + 2;
   map.ring_lines = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(span))));
-  return map;
 }
 
 }  // namespace kinescope

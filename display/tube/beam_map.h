@@ -28,5 +28,7 @@ struct BeamMap {
 /// @param tile_columns that are drawn together, so that the ring holds all their lines
 BeamMap beam_map(const TubeSettings& settings, int gun, int cells, int lines, int width, int height,
                  int tile_columns);
+/// Finds how large the ring must be.
+void set_ring(BeamMap& map, int tile_columns);
 
 }  // namespace kinescope

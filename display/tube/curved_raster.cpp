@@ -8,6 +8,7 @@ namespace kinescope {
 namespace {
 
 constexpr double kPixelVariance = 1.0 / 12;  // of an output pixel's own width
+constexpr float kLeastDeviation = 0.02f;     // down, lines
 constexpr double kReach = 3;                 // of a Gaussian, deviations
 
 float with_variance(double sigma, double variance) {
@@ -35,8 +36,13 @@ CurvedRaster::CurvedRaster(const TubeSettings& settings, const SpotModel& spot, 
   grid_.lines_a_pixel = static_cast<float>(pitch);
   grid_.narrow_pixels = narrow;
   grid_.wide_pixels = wide;
-  // So that no weight falls below 2^-126: a deviation is at least a fifth of a line.
-  grid_.least_pitch = 0.2f / narrow;
+  grid_.least_pitch = kLeastDeviation / narrow;
+}
+
+CurvedRaster CurvedRaster::bent(const SweepWarp& warp) const {
+  CurvedRaster raster = *this;
+  raster.map_ = warped(map_, warp, cells_, kTileColumns);
+  return raster;
 }
 
 bool CurvedRaster::shares_lines_with(const CurvedRaster& other) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "display/tube/deflection.h"
 #include "display/tube_kernels.h"
@@ -18,6 +19,7 @@ constexpr int kLeastStep = 4, kMostStep = 32;
 Halation::Halation(const TubeSettings& s, int width, int height)
     : share_(static_cast<float>(s.glass.halation)),
       width_(width),
+      height_(height),
       cells_(s.mode.horizontal.active),
       lines_(s.mode.vertical.active) {
   if (share_ <= 0) return;
@@ -81,6 +83,27 @@ void Halation::look_up(const Plane& blocks, Plane& coarse) const {
   }
 }
 
+/// Of the pixels around each coarse one; outside the picture it is dark.
+void Halation::add_means(const Plane& pixels, Plane& coarse) const {
+  const auto around = [&](int i, int count) {
+    const int middle = i * step_;
+    return std::pair(std::max(0, middle - step_ / 2), std::min(count, middle + (step_ + 1) / 2));
+  };
+  for (int j = 0; j < coarse_height_; ++j) {
+    const auto [top, bottom] = around(j, height_);
+    for (int i = 0; i < coarse_width_; ++i) {
+      const auto [left, right] = around(i, width_);
+      float sum = 0;
+      for (int y = top; y < bottom; ++y) {
+        const float* row = pixels.data() + static_cast<std::ptrdiff_t>(y) * width_;
+        for (int x = left; x < right; ++x) sum += row[x];
+      }
+      coarse[static_cast<std::size_t>(j * coarse_width_ + i)] +=
+          sum / static_cast<float>(step_ * step_);
+    }
+  }
+}
+
 void Halation::blur(Plane& coarse) const {
   const int reach = static_cast<int>(kernel_.size()) - 1;
   Plane line;
@@ -111,27 +134,33 @@ void Halation::widen(const Plane& coarse, int row, float glow, float* out) const
   }
 }
 
-void Halation::gather(std::span<const LayerLight> light, float unit, Workers& workers) {
+void Halation::gather(std::span<const LayerLight> light,
+                      const std::vector<std::vector<float>>* overlay, float unit,
+                      Workers& workers) {
   if (share_ <= 0) return;
-  const int layers = static_cast<int>(light.size()), rows = blocks_down_ - 2;
-  for (std::size_t layer = 0; layer < light.size(); ++layer) {
+  const std::size_t count = light.empty() && overlay ? overlay->size() : light.size();
+  const int layers = static_cast<int>(count), rows = blocks_down_ - 2;
+  for (std::size_t layer = 0; layer < count; ++layer) {
     blocks_[layer].resize(static_cast<std::size_t>(blocks_across_ * blocks_down_), 0.0f);
-    coarse_[layer].resize(samples_.size());
+    coarse_[layer].assign(samples_.size(), 0.0f);
     fine_[layer].resize(static_cast<std::size_t>(fine_pitch() * coarse_height_));
   }
   sums_.resize(static_cast<std::size_t>(workers.count()));
-  workers.run(layers * rows, [&](int task, int worker) {
-    const std::size_t layer = static_cast<std::size_t>(task % layers);
-    pool(light[layer], task / layers, sums_[static_cast<std::size_t>(worker)], blocks_[layer]);
-  });
+  if (!light.empty()) {
+    workers.run(layers * rows, [&](int task, int worker) {
+      const std::size_t layer = static_cast<std::size_t>(task % layers);
+      pool(light[layer], task / layers, sums_[static_cast<std::size_t>(worker)], blocks_[layer]);
+    });
+  }
   workers.run(layers, [&](int task, int) {
     const std::size_t layer = static_cast<std::size_t>(task);
-    look_up(blocks_[layer], coarse_[layer]);
+    if (!light.empty()) look_up(blocks_[layer], coarse_[layer]);
+    if (overlay) add_means((*overlay)[layer], coarse_[layer]);
     blur(coarse_[layer]);
   });
   const float glow = unit * share_ / (1 - share_);
   workers.run(coarse_height_, [&](int row, int) {
-    for (std::size_t layer = 0; layer < light.size(); ++layer) {
+    for (std::size_t layer = 0; layer < count; ++layer) {
       widen(coarse_[layer], row, glow, fine_[layer].data() + row * fine_pitch());
     }
   });

@@ -21,7 +21,10 @@ class Halation {
   /// The share of light that goes astray.
   float share() const { return share_; }
   /// Finds the glow, over what light is left, times `unit`.
-  void gather(std::span<const LayerLight> light, float unit, Workers& workers);
+  /// @param light of each layer's cells, or empty
+  /// @param overlay light of each layer's output pixels besides, or null
+  void gather(std::span<const LayerLight> light, const std::vector<std::vector<float>>* overlay,
+              float unit, Workers& workers);
   /// The glow at pixel (x, y) and on: two coarse rows, null if there is none.
   /// @return how much of the lower one
   float rows(std::size_t layer, int y, int x, const float*& above, const float*& below) const;
@@ -37,13 +40,14 @@ class Halation {
 
   void pool(const LayerLight& light, int row, Plane& sums, Plane& blocks) const;
   void look_up(const Plane& blocks, Plane& coarse) const;
+  void add_means(const Plane& pixels, Plane& coarse) const;
   void blur(Plane& coarse) const;
   void widen(const Plane& coarse, int row, float glow, float* out) const;
   std::ptrdiff_t fine_pitch() const { return width_ + 16; }
 
   float share_ = 0;
   int step_ = 8;  // output pixels a coarse one
-  int width_ = 0, cells_ = 0, lines_ = 0, coarse_width_ = 0, coarse_height_ = 0;
+  int width_ = 0, height_ = 0, cells_ = 0, lines_ = 0, coarse_width_ = 0, coarse_height_ = 0;
   int block_cells_ = 1, block_lines_ = 1;    // in a block
   int blocks_across_ = 0, blocks_down_ = 0;  // with a dark one on each side
   std::vector<Sample> samples_;

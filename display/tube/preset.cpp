@@ -22,7 +22,8 @@ struct Unit {
 constexpr std::array kUnits{
     Unit{"mm", "mm", 1}, Unit{"mm", "cm", 10},   Unit{"mm", "m", 1000},  Unit{"mm", "in", 25.4},
     Unit{"Hz", "Hz", 1}, Unit{"Hz", "kHz", 1e3}, Unit{"Hz", "MHz", 1e6}, Unit{"deg", "deg", 1},
-    Unit{"", "%", 0.01}, Unit{"", "", 1},
+    Unit{"s", "s", 1},   Unit{"s", "ms", 1e-3},  Unit{"s", "us", 1e-6},  Unit{"", "%", 0.01},
+    Unit{"", "", 1},
 };
 
 std::string units_of(std::string_view kind) {

@@ -13,6 +13,7 @@
 #include "display/tube/settings.h"
 #include "display/tube/spot.h"
 #include "display/tube/spread_kernels.h"
+#include "display/tube/sweep_warp.h"
 
 namespace kinescope {
 
@@ -65,6 +66,8 @@ class CurvedRaster {
   static constexpr int kTileColumns = 96;
   CurvedRaster(const TubeSettings& settings, const SpotModel& spot, int gun,
                const RasterExtent& extent);
+  /// The same raster as one sweep has it.
+  CurvedRaster bent(const SweepWarp& warp) const;
   /// Whether lines of the two lie within a hundredth of a line of each other.
   bool shares_lines_with(const CurvedRaster& other) const;
   void begin_tile(SpreadRing& ring, int x, int groups) const;

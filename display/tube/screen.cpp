@@ -9,16 +9,23 @@
 
 #include "display/tube/deflection.h"
 #include "display/tube/finish_kernels.h"
+#include "display/tube/free_sweep.h"
 #include "display/tube/halation.h"
 #include "display/tube/raster_spread.h"
 #include "display/tube/shadow_mask.h"
+#include "display/tube_kernels.h"
 
 namespace kinescope {
+
+using Raster = std::variant<StraightRaster, CurvedRaster>;
+
+struct GunRasters {
+  std::vector<Raster> of_gun;
+};
+
 namespace {
 
 constexpr int kTileRows = 270;
-
-using Raster = std::variant<StraightRaster, CurvedRaster>;
 
 /// Work space of one worker.
 struct Scratch {
@@ -38,22 +45,24 @@ bool one_mask(const TubeSettings& a, const TubeSettings& b) {
 }
 bool one_raster(const TubeSettings& a, const TubeSettings& b) {
   return one_shape(a.glass, b.glass) && a.mode == b.mode && a.spot == b.spot &&
-         a.deflection == b.deflection;
+         a.deflection == b.deflection && is_free(a) == is_free(b);
 }
 
-std::shared_ptr<const std::vector<Raster>> make_rasters(const TubeSettings& s, int guns,
-                                                        bool straight, int width, int height) {
-  const RasterExtent extent{s.mode.horizontal.active, s.mode.vertical.active, width, height};
+/// Of a free raster, those of a sweep that lies where it should.
+std::shared_ptr<const GunRasters> make_rasters(const TubeSettings& s, int guns, bool straight,
+                                               int width, int height) {
+  const int lines = is_free(s) ? field_lines(s.mode) : s.mode.vertical.active;
+  const RasterExtent extent{s.mode.horizontal.active, lines, width, height};
   const SpotModel spot(s.spot);
-  std::vector<Raster> rasters;
+  GunRasters rasters;
   for (int gun = 0; gun < guns; ++gun) {
     if (straight) {
-      rasters.emplace_back(std::in_place_type<StraightRaster>, s, spot, gun, extent);
+      rasters.of_gun.emplace_back(std::in_place_type<StraightRaster>, s, spot, gun, extent);
     } else {
-      rasters.emplace_back(std::in_place_type<CurvedRaster>, s, spot, gun, extent);
+      rasters.of_gun.emplace_back(std::in_place_type<CurvedRaster>, s, spot, gun, extent);
     }
   }
-  return std::make_shared<const std::vector<Raster>>(std::move(rasters));
+  return std::make_shared<const GunRasters>(std::move(rasters));
 }
 
 bool have_lines_alike(const std::vector<Raster>& rasters) {
@@ -72,18 +81,22 @@ struct Screen::State {
               const Finish& finish);
   void draw_tile(std::span<const LayerLight> light, Scratch& s, int x, int top, float gain,
                  const Finish& finish) const;
+  void spread_row(std::span<const LayerLight> light, Scratch& s, std::size_t layer, int y) const;
+  void add_overlay(Scratch& s, std::size_t layer, int x, int y, int n, bool alone) const;
+  void spread(const GunRasters& of_guns, std::size_t layer, const LayerLight& light,
+              Workers& workers, std::vector<float>& plane) const;
   FinishRow finish_row(float gain) const;
   void set_row(FinishRow& row, const Scratch& s, int x, int y) const;
   const Raster& raster_of(std::size_t layer) const {
-    return (*rasters)[static_cast<std::size_t>(layers[layer].gun)];
+    return rasters->of_gun[static_cast<std::size_t>(layers[layer].gun)];
   }
 
   TubeSettings settings;
   std::vector<ScreenLayer> layers;
   int width, height;
   int tile_columns;
-  std::shared_ptr<const std::vector<Raster>> rasters;  // a gun each
-  bool lines_alike = false;                            // of all guns
+  std::shared_ptr<const GunRasters> rasters;
+  bool lines_alike = false;  // of all guns
   const std::vector<std::vector<float>>* overlay = nullptr;
   double refreshes = 1;
   std::shared_ptr<const ShadowMask> mask;
@@ -97,12 +110,12 @@ Screen::State::State(const TubeSettings& s, std::span<const ScreenLayer> its_lay
   int guns = 0;
   for (const ScreenLayer& layer : layers) guns = std::max(guns, layer.gun + 1);
   const bool alike = like != nullptr && like->width == w && like->height == h &&
-                     like->rasters->size() == static_cast<std::size_t>(guns);
-  const bool straight = is_separable(s);
+                     like->rasters->of_gun.size() == static_cast<std::size_t>(guns);
+  const bool straight = is_separable(s) && !is_free(s);
   tile_columns = straight ? StraightRaster::kTileColumns : CurvedRaster::kTileColumns;
   rasters = alike && one_raster(like->settings, s) ? like->rasters
                                                    : make_rasters(s, guns, straight, w, h);
-  lines_alike = have_lines_alike(*rasters);
+  lines_alike = have_lines_alike(rasters->of_gun);
   mask = alike && one_mask(like->settings, s)
              ? like->mask
              : std::make_shared<ShadowMask>(guns == 3 ? ShadowMask(s.mask, s.glass, w, h)
@@ -137,7 +150,8 @@ void Screen::State::draw_tile(std::span<const LayerLight> light, Scratch& s, int
                               float gain, const Finish& finish) const {
   const int n = std::min(tile_columns, width - x), groups = (n + kGroup - 1) / kGroup;
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-    s.row[layer].resize(static_cast<std::size_t>(tile_columns));
+    s.row[layer].assign(static_cast<std::size_t>(tile_columns), 0.0f);
+    if (light.empty()) continue;
     std::visit([&](const auto& raster) { raster.begin_tile(s.ring[layer], x, groups); },
                raster_of(layer));
     s.ring[layer].lines_of = lines_alike && layer > 0 ? &s.ring[0] : nullptr;
@@ -145,27 +159,63 @@ void Screen::State::draw_tile(std::span<const LayerLight> light, Scratch& s, int
   FinishRow row = finish_row(gain);
   for (int y = top; y < std::min(height, top + kTileRows); ++y) {
     for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-      std::visit(
-          [&](const auto& raster) {
-            raster.spread_row(light[layer], s.ring[layer], y, s.row[layer].data());
-          },
-          raster_of(layer));
-      if (overlay) {
-        const float* const over =
-            (*overlay)[layer].data() + static_cast<std::ptrdiff_t>(y) * width + x;
-        for (int i = 0; i < n; ++i) s.row[layer][static_cast<std::size_t>(i)] += over[i];
-      }
+      spread_row(light, s, layer, y);
+      if (overlay) add_overlay(s, layer, x, y, n, light.empty());
     }
     set_row(row, s, x, y);
     finish(row, x, y, n);
   }
 }
 
+void Screen::State::spread_row(std::span<const LayerLight> light, Scratch& s, std::size_t layer,
+                               int y) const {
+  if (light.empty()) return;
+  std::visit(
+      [&](const auto& raster) {
+        raster.spread_row(light[layer], s.ring[layer], y, s.row[layer].data());
+      },
+      raster_of(layer));
+}
+
+/// @param alone whether no raster's light lies below it
+void Screen::State::add_overlay(Scratch& s, std::size_t layer, int x, int y, int n,
+                                bool alone) const {
+  const float* const over = (*overlay)[layer].data() + static_cast<std::ptrdiff_t>(y) * width + x;
+  float* const row = s.row[layer].data();
+  if (alone) std::fill_n(row, n, 0.0f);
+  add_scaled(n, 1, over, row);
+}
+
+void Screen::State::spread(const GunRasters& of_guns, std::size_t layer, const LayerLight& light,
+                           Workers& workers, std::vector<float>& plane) const {
+  const Raster& of_gun = of_guns.of_gun[static_cast<std::size_t>(layers[layer].gun)];
+  std::vector<Scratch> its_scratch(static_cast<std::size_t>(workers.count()));
+  const int across = (width + tile_columns - 1) / tile_columns;
+  const int down = (height + kTileRows - 1) / kTileRows;
+  workers.run(across * down, [&](int task, int worker) {
+    Scratch& s = its_scratch[static_cast<std::size_t>(worker)];
+    const int x = task % across * tile_columns, top = task / across * kTileRows;
+    const int n = std::min(tile_columns, width - x), groups = (n + kGroup - 1) / kGroup;
+    s.row[0].resize(static_cast<std::size_t>(tile_columns));
+    std::visit(
+        [&](const auto& raster) {
+          raster.begin_tile(s.ring[0], x, groups);
+          s.ring[0].lines_of = nullptr;
+          for (int y = top; y < std::min(height, top + kTileRows); ++y) {
+            raster.spread_row(light, s.ring[0], y, s.row[0].data());
+            add_scaled(n, 1, s.row[0].data(),
+                       plane.data() + static_cast<std::ptrdiff_t>(y) * width + x);
+          }
+        },
+        of_gun);
+  });
+}
+
 double Screen::State::draw(std::span<const LayerLight> light, Workers& workers, float gain,
                            const Finish& finish) {
   scratch.resize(static_cast<std::size_t>(workers.count()));
   const auto began = std::chrono::steady_clock::now();
-  halation.gather(light, mask->one(), workers);
+  halation.gather(light, overlay, mask->one(), workers);
   const std::chrono::duration<double, std::milli> glow = std::chrono::steady_clock::now() - began;
   const int across = (width + tile_columns - 1) / tile_columns;
   const int down = (height + kTileRows - 1) / kTileRows;
@@ -204,6 +254,21 @@ double Screen::photograph(std::span<const LayerLight> light, Workers& workers, f
   return state_->draw(light, workers, gain, [&](const FinishRow& row, int x, int y, int n) {
     finish_encoded(row, n, out.row(top + y) + left + x);
   });
+}
+
+const GunRasters& Screen::rasters() const { return *state_->rasters; }
+
+std::shared_ptr<const GunRasters> Screen::bent(const SweepWarp& warp) const {
+  auto bent = std::make_shared<GunRasters>();
+  for (const Raster& raster : state_->rasters->of_gun) {
+    bent->of_gun.emplace_back(std::get<CurvedRaster>(raster).bent(warp));
+  }
+  return bent;
+}
+
+void Screen::spread(const GunRasters& rasters, std::size_t layer, const LayerLight& light,
+                    Workers& workers, std::vector<float>& plane) const {
+  state_->spread(rasters, layer, light, workers, plane);
 }
 
 }  // namespace kinescope

@@ -14,6 +14,9 @@
 
 namespace kinescope {
 
+struct GunRasters;
+struct SweepWarp;
+
 /// One phosphor layer as the screen needs it.
 struct ScreenLayer {
   int gun = 0;                    ///< whose beam writes it: 0 red, 1 green, 2 blue
@@ -36,11 +39,20 @@ class Screen {
   /// Light that lies over the raster's from now on, the screen's size for each layer; empty: none.
   void set_overlay(const std::vector<std::vector<float>>* overlay);
   /// @param out is given the screen's size
+  /// @param light of each layer's raster; empty if all light lies over it
   /// @return ms of it that halation took
   double show(std::span<const LayerLight> light, Workers& workers, Image<LinearRgb>& out);
   /// The same times `gain`, encoded, into `out` with its upper left corner at (left, top).
   double photograph(std::span<const LayerLight> light, Workers& workers, float gain,
                     Image<Srgb8>& out, int left, int top);
+
+  /// The guns' rasters as they lie, and as one sweep of a free raster has them.
+  const GunRasters& rasters() const;
+  std::shared_ptr<const GunRasters> bent(const SweepWarp& warp) const;
+  /// Lays the light of one layer's raster down as light that lies over it: adds it to a plane of
+  /// the screen's size.
+  void spread(const GunRasters& rasters, std::size_t layer, const LayerLight& light,
+              Workers& workers, std::vector<float>& plane) const;
 
  private:
   struct State;

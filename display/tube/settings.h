@@ -60,6 +60,20 @@ struct DeflectionSettings {
   bool operator==(const DeflectionSettings&) const = default;
 };
 
+/// The oscillators that sweep the beam, and what disturbs them. As it stands they are locked to the
+/// picture's sync, and each sweep lands where the last one did.
+struct SweepSettings {
+  double line_hz = 0;          ///< of a line oscillator that runs by itself; 0: locked
+  double field_hz = 0;         ///< of a field oscillator that runs by itself; 0: locked
+  double interlace_error = 0;  ///< of half a line: how late second fields start; -1 pairs them
+  double hum_x = 0,
+         hum_y = 0;           ///< swing of the picture with the mains' ripple, shares of half of it
+  double hum_hz = 50;         ///< of that ripple
+  double sag = 0;             ///< share of the anode's voltage that steady white takes off
+  double sag_time_s = 0.003;  ///< in which the anode's capacitance follows
+  bool operator==(const SweepSettings&) const = default;
+};
+
 enum class MaskKind { kNone, kDots, kGrille, kSlots };
 
 /// The shadow mask of a colour tube.
@@ -81,6 +95,7 @@ struct TubeSettings {
   GunSettings gun{};
   SpotSettings spot{};
   DeflectionSettings deflection{};
+  SweepSettings sweep{};
   MaskSettings mask{};
   bool operator==(const TubeSettings&) const = default;
 };

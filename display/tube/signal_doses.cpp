@@ -50,14 +50,11 @@ void SignalDoses::read(const RasterScan& scan, const Gun& gun, std::span<const S
       }
     });
   };
-  std::int64_t frame = divide(begin, scan.frame_clocks()).whole;
-  for (int field = 0;; frame += ++field / scan.fields(), field %= scan.fields()) {
-    const BeamTime retrace = scan.retrace_start_clocks(frame, field);
-    if (retrace < begin) continue;
-    if (retrace >= end) break;
-    read_part(begin, retrace);
+  for (BeamTime flip = scan.retrace_from(begin); flip < end;
+       flip = scan.retrace_from(flip + BeamTime::from_raw(1))) {
+    read_part(begin, flip);
     buffer.vertical_retrace();
-    begin = retrace;
+    begin = flip;
   }
   read_part(begin, end);
 }

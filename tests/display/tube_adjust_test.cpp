@@ -30,10 +30,8 @@ TubeSettings everything_set(const VideoMode& mode) {
   return settings;
 }
 
-/// Turns knobs that lie behind the cells, one at a time.
+/// Turns knobs that lie behind the raster, one at a time.
 const std::vector<void (*)(TubeSettings&)> kFrontKnobs = {
-    [](TubeSettings& s) { s.deflection.rotation_deg = 5; },
-    [](TubeSettings& s) { s.deflection.convergence[0].x_mm = 3; },
     [](TubeSettings& s) { s.mask.pitch_mm = 30; },
     [](TubeSettings& s) { s.mask.kind = MaskKind::kNone; },
     [](TubeSettings& s) { s.glass.curvature_mm = 0; },
@@ -46,7 +44,7 @@ const std::vector<void (*)(TubeSettings&)> kFrontKnobs = {
     [](TubeSettings& s) { s.gun.blanking = -0.3; },  // the retrace shows
 };
 
-TEST(TubeAdjust, KnobsBehindTheCellsShowTheLightThereIsAsIfTheyHadAlwaysStoodSo) {
+TEST(TubeAdjust, KnobsBehindTheRasterShowTheLightThereIsAsIfTheyHadAlwaysStoodSo) {
   const VideoMode mode = tiny_mode();
   FrameBuffer buffer = buffer_for(mode);
   fill_random(buffer, 0, 5);

@@ -1,0 +1,316 @@
+#include "display/tube/free_raster.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "display/decay.h"
+#include "display/tube/line_ranges.h"
+
+namespace kinescope {
+namespace {
+
+// A cell of a field is excited once; it has been dark for so many clocks before.
+constexpr double kNever = 1e9;
+constexpr double kLeastLeft = 1e-7;  // share of a term that passes to the afterglow
+constexpr double kLeastVoltage = 0.2;
+constexpr int kLead = 4;  // lines by which a place is known ahead: what a spot's weights look at
+
+int cells_begun(BeamTime since_first, int cells) {
+  const std::int64_t begun = (since_first.raw() + BeamTime::kOne - 1) >> BeamTime::kBits;
+  return static_cast<int>(std::clamp<std::int64_t>(begun, 0, cells));
+}
+
+/// The frame's line that the video sends in its passing-th line, or -1 while it is blanked.
+int picture_line(const VideoMode& mode, int passing) {
+  const int active = mode.vertical.active;
+  if (!mode.interlaced) return passing < active ? passing : -1;
+  if (passing < (active + 1) / 2) return 2 * passing;
+  const int in_second = passing - (mode.vertical.total() + 1) / 2;
+  return in_second >= 0 && in_second < active / 2 ? 2 * in_second + 1 : -1;
+}
+
+void read_picture_line(const FrameBuffer& buffer, int line, std::vector<GunDrive>& out) {
+  if (line < 0 || line >= buffer.height()) {
+    std::fill(out.begin(), out.end(), GunDrive{});
+  } else {
+    buffer.read_line(line, out);
+  }
+}
+
+void clear(LayerLight& light, int line, int cells) {
+  std::fill_n(light.narrow.line(line), cells, 0.0f);
+  std::fill_n(light.wide.line(line), cells, 0.0f);
+}
+
+}  // namespace
+
+FreeRaster::FreeRaster(const TubeSettings& settings, std::span<const Signal> signals,
+                       std::span<const ScreenLayer> layers, std::span<const Phosphor> laws)
+    : settings_(settings),
+      sweep_(settings.sweep, settings.mode),
+      gun_(settings.gun, SpotModel(settings.spot), sweep_.clock_hz()),
+      signals_(signals.begin(), signals.end()),
+      layers_(layers.begin(), layers.end()),
+      laws_(laws.begin(), laws.end()),
+      cells_(settings.mode.horizontal.active),
+      lines_(field_lines(settings.mode)),
+      dose_scale_(static_cast<float>(sweep_.video_clocks() / (settings.mode.interlaced ? 2 : 1))),
+      currents_(static_cast<std::size_t>(lines_)) {}
+
+void FreeRaster::turn_knobs(const TubeSettings& settings) {
+  settings_ = settings;
+  gun_ = Gun(settings.gun, SpotModel(settings.spot), sweep_.clock_hz());
+}
+
+void FreeRaster::take_over(const FreeSweep& before, BeamTime video_now) {
+  sweep_.take_over(before, video_now);
+}
+
+void FreeRaster::prepare(const Workers& workers) {
+  while (doses_.size() < signals_.size()) doses_.push_back({{cells_, lines_}, {cells_, lines_}});
+  const std::size_t n = static_cast<std::size_t>(cells_);
+  scratch_.resize(static_cast<std::size_t>(workers.count()));
+  for (Scratch& s : scratch_) {
+    s.video.resize(n);
+    s.drives.resize(n);
+    s.voltage.resize(n + 2 * static_cast<std::size_t>(gun_.reach()) + kGroup);
+    s.phosphor.old_weight.resize(n);
+    s.phosphor.new_weight.resize(n);
+  }
+}
+
+/// The last field but one has been shown and left: its memory serves the new one.
+void FreeRaster::begin_field(const SweptField& swept) {
+  Field field;
+  if (fields_.size() == 2) {
+    field = std::move(fields_.front());
+    fields_.erase(fields_.begin());
+    for (PhosphorLayer& phosphor : field.phosphor) phosphor.darken();
+  } else {
+    for (const Phosphor& law : laws_) {
+      field.phosphor.emplace_back(law, sweep_.clock_hz(), kNever, cells_, lines_);
+      field.light.push_back({{cells_, lines_}, {cells_, lines_}});
+    }
+  }
+  const std::size_t n = static_cast<std::size_t>(lines_);
+  field.swept = swept;
+  field.warp = {std::vector<float>(n), std::vector<float>(n), std::vector<float>(n)};
+  fields_.push_back(std::move(field));
+  const double dark_s = std::max(0.0, to_clocks(swept.begin - loaded_until_) / sweep_.clock_hz());
+  const double load = load_ * decayed(dark_s, settings_.sweep.sag_time_s).left;
+  for (int line = 0; line < lines_; ++line) bend_line(line, load);
+}
+
+BeamTime FreeRaster::line_begin(const SweptField& swept, int line) const {
+  return BeamTime::from_raw(swept.first_line.raw() + line * sweep_.line_period().raw());
+}
+
+/// What the video sends while the sweep draws a line: the middle of each cell says which pixel.
+void FreeRaster::read_video(const RasterScan& scan, const FrameBuffer& buffer, BeamTime line_begin,
+                            Scratch& s) const {
+  const VideoMode& mode = scan.mode();
+  const double step = sweep_.video_clocks(), total = mode.horizontal.total();
+  const double clock = (to_clocks(line_begin) + 0.5) * step;
+  double passed = std::floor(clock / total);
+  double pixel = clock - passed * total;
+  const double lines = mode.vertical.total();
+  const auto read = [&] {
+    const int in_frame = static_cast<int>(passed - std::floor(passed / lines) * lines);
+    read_picture_line(buffer, picture_line(mode, in_frame), s.video);
+  };
+  read();
+  for (GunDrive& drive : s.drives) {
+    if (pixel >= total) {
+      pixel -= total;
+      passed += 1;
+      read();
+    }
+    const std::size_t at = static_cast<std::size_t>(pixel);
+    drive = at < s.video.size() ? s.video[at] : GunDrive{};
+    pixel += step;
+  }
+}
+
+void FreeRaster::read_line(const RasterScan& scan, const FrameBuffer& buffer, int line,
+                           Scratch& s) {
+  read_video(scan, buffer, line_begin(fields_.back().swept, line), s);
+  float sum = 0;
+  for (std::size_t i = 0; i < signals_.size(); ++i) {
+    float* const narrow = doses_[i].narrow.line(line);
+    float* const wide = doses_[i].wide.line(line);
+    gun_.doses(s.drives, signals_[i], s.voltage, narrow, wide);
+    sum = std::accumulate(narrow, narrow + cells_, sum);
+    sum = std::accumulate(wide, wide + cells_, sum);
+  }
+  currents_[static_cast<std::size_t>(line)] =
+      sum / static_cast<float>(cells_) / static_cast<float>(signals_.size());
+}
+
+/// Places a line of the last field at the voltage of a load.
+void FreeRaster::bend_line(int line, double load) {
+  Field& field = fields_.back();
+  const SweepSettings& s = settings_.sweep;
+  const std::size_t l = static_cast<std::size_t>(line);
+  const double seconds = to_clocks(line_begin(field.swept, line)) / sweep_.clock_hz();
+  const double scale = 1 / std::sqrt(std::max(kLeastVoltage, 1 - s.sag * load));
+  const double ripple = std::sin(2 * std::numbers::pi * s.hum_hz * seconds);
+  const double middle = 0.5 * (lines_ - 1);
+  const double place = field.swept.first_place + line - middle;
+  field.warp.place[l] =
+      static_cast<float>(middle + place * scale + 0.5 * lines_ * s.hum_y * ripple);
+  field.warp.scale[l] = static_cast<float>(scale);
+  field.warp.shift[l] = static_cast<float>(0.5 * cells_ * s.hum_x * ripple);
+}
+
+/// What lines that begin in [begin, end) draw loads the high voltage. The deflection feels that
+/// kLead lines later, so that a line's neighbours have their places when it is drawn.
+void FreeRaster::load_voltage(BeamTime begin, BeamTime end) {
+  const SweepSettings& s = settings_.sweep;
+  if (s.sag <= 0) return;
+  const SweptField& swept = fields_.back().swept;
+  const double hz = sweep_.clock_hz(), line_s = to_clocks(sweep_.line_period()) / hz;
+  const SyncTiming& v = settings_.mode.vertical;
+  const double white = static_cast<double>(v.active) / v.total();
+  for (int line = 0; line < swept.lines; ++line) {
+    const BeamTime at = line_begin(swept, line);
+    if (at < begin || at >= end) continue;
+    const double dark_s = std::max(0.0, to_clocks(at - loaded_until_) / hz);
+    load_ *= decayed(dark_s, s.sag_time_s).left;
+    if (line + kLead < lines_) bend_line(line + kLead, load_);
+    const double current = static_cast<double>(currents_[static_cast<std::size_t>(line)]) / white;
+    load_ += (current - load_) * decayed(line_s, s.sag_time_s).lost;
+    loaded_until_ = at + sweep_.line_period();
+  }
+}
+
+/// A cell's dose follows the time that the sweep gives it, and the voltage.
+void FreeRaster::weigh_doses(const Field& field, int line) {
+  const float scale = field.warp.scale[static_cast<std::size_t>(line)];
+  const float weight = dose_scale_ / (scale * scale);
+  if (weight == 1) return;
+  for (LayerLight& doses : doses_) {
+    for (CellPlane* plane : {&doses.narrow, &doses.wide}) {
+      float* const cells = plane->line(line);
+      for (int i = 0; i < cells_; ++i) cells[i] *= weight;
+    }
+  }
+}
+
+void FreeRaster::pass_line(Field& field, BeamTime begin, BeamTime end, int line, Scratch& s) {
+  const BeamTime at = line_begin(field.swept, line);
+  const int passed = cells_begun(begin - at, cells_), met = cells_begun(end - at, cells_);
+  const double until = to_clocks(end - at) - passed;
+  const CellRange glowing{0, passed, to_clocks(begin - at), false, 0};
+  const CellRange excited{passed, met, kNever - (to_clocks(at - begin) + passed), true, until};
+  if (met > passed) weigh_doses(field, line);
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    const LayerLight& doses = doses_[static_cast<std::size_t>(layers_[i].gun)];
+    const DoseRows rows = {doses.narrow.line(line), doses.wide.line(line)};
+    const LightRows light = {field.light[i].narrow.line(line), field.light[i].wide.line(line)};
+    field.phosphor[i].pass(line, glowing, rows, s.phosphor, light);
+    if (met > passed) field.phosphor[i].pass(line, excited, rows, s.phosphor, light);
+  }
+}
+
+/// [begin, end) in sweep clocks lies within the last field.
+void FreeRaster::pass_sweep(const RasterScan& scan, const FrameBuffer& buffer, BeamTime begin,
+                            BeamTime end, Workers& workers) {
+  const int lines = fields_.back().swept.lines;
+  const auto each_line = [&](const auto& body) {
+    workers.run(line_tasks(lines_), [&](int task, int worker) {
+      const int stop = std::min(lines_, (task + 1) * kLinesATask);
+      for (int line = task * kLinesATask; line < stop; ++line) {
+        body(line, scratch_[static_cast<std::size_t>(worker)]);
+      }
+    });
+  };
+  each_line([&](int line, Scratch& s) {
+    const BeamTime at = line_begin(fields_.back().swept, line);
+    if (line < lines && at < end && begin < at + clocks(cells_)) read_line(scan, buffer, line, s);
+  });
+  load_voltage(begin, end);
+  for (Field& field : fields_) {
+    for (PhosphorLayer& phosphor : field.phosphor) phosphor.set_window(to_clocks(end - begin));
+  }
+  each_line([&](int line, Scratch& s) {
+    for (Field& field : fields_) {
+      if (line < field.swept.lines) pass_line(field, begin, end, line, s);
+    }
+  });
+}
+
+/// Lays the field's light of this pass on the screen.
+void FreeRaster::show(Field& field, const Screen& screen, LightOverlay& sum,
+                      Workers& workers) const {
+  const auto rasters = screen.bent(field.warp);
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    screen.spread(*rasters, i, field.light[i], workers, sum[i]);
+    for (int line = 0; line < lines_; ++line) clear(field.light[i], line, cells_);
+  }
+}
+
+void FreeRaster::leave(Field& field, BeamTime now, const Screen& screen, Afterglow& afterglow,
+                       Workers& workers) const {
+  const auto rasters = screen.bent(field.warp);
+  const double hz = sweep_.clock_hz();
+  const BeamTime last = line_begin(field.swept, field.swept.lines) - clocks(1);
+  const Seconds since_last{std::max(0.0, to_clocks(now - last)) / hz};
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    LayerLight& light = field.light[i];
+    for (std::size_t term = 0; term < laws_[i].terms.size(); ++term) {
+      const double left = decayed(since_last.count(), laws_[i].terms[term].tau.count()).left;
+      if (left * laws_[i].terms[term].share < kLeastLeft) continue;
+      workers.run(line_tasks(lines_), [&](int task, int) {
+        const int stop = std::min(field.swept.lines, (task + 1) * kLinesATask);
+        for (int line = task * kLinesATask; line < stop; ++line) {
+          const BeamTime at = line_begin(field.swept, line);
+          const CellRange begun{0, cells_begun(now - at, cells_), to_clocks(now - at), false, 0};
+          field.phosphor[i].leave(term, line, begun,
+                                  {light.narrow.line(line), light.wide.line(line)});
+        }
+      });
+      screen.spread(*rasters, i, light, workers, afterglow.open(i, term));
+    }
+    for (int line = 0; line < lines_; ++line) clear(light, line, cells_);
+  }
+}
+
+void FreeRaster::leave(const Screen& screen, Afterglow& afterglow, Workers& workers) {
+  for (Field& field : fields_) leave(field, now_, screen, afterglow, workers);
+  fields_.clear();
+}
+
+void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begin, BeamTime end,
+                      const Screen& screen, Afterglow& afterglow, LightOverlay& sum,
+                      Workers& workers) {
+  prepare(workers);
+  const auto pass_to = [&](BeamTime video_end) {
+    const BeamTime until = sweep_.of_video(video_end);
+    while (now_ < until) {
+      if (fields_.empty() || fields_.back().swept.end <= now_) {
+        if (fields_.size() == 2) {
+          show(fields_.front(), screen, sum, workers);
+          leave(fields_.front(), now_, screen, afterglow, workers);
+        }
+        begin_field(sweep_.field_at(now_));
+      }
+      const BeamTime cut = std::min(until, fields_.back().swept.end);
+      afterglow.pass(Seconds(to_clocks(cut - now_) / sweep_.clock_hz()), sum, workers);
+      pass_sweep(scan, buffer, now_, cut, workers);
+      now_ = cut;
+    }
+  };
+  now_ = sweep_.of_video(begin);
+  for (BeamTime flip = scan.retrace_from(begin); flip < end;
+       flip = scan.retrace_from(flip + BeamTime::from_raw(1))) {
+    pass_to(flip);
+    buffer.vertical_retrace();
+  }
+  pass_to(end);
+  for (Field& field : fields_) show(field, screen, sum, workers);
+}
+
+}  // namespace kinescope
