@@ -1,5 +1,4 @@
-// Sweeps that land elsewhere than the last one did: lost sync, hum, sag, fields that pair; and what
-// they leave behind on the glass.
+// Sweeps that land elsewhere than the last one did, their oscillators having lost sync.
 #include "display/tube/free_raster.h"
 
 #include <gmock/gmock.h>
@@ -7,10 +6,11 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "display/raster_tube.h"
-#include "tests/display/tube_fixtures.h"
+#include "tests/display/small_tube.h"
 
 namespace kinescope {
 namespace {
@@ -23,25 +23,6 @@ TubeSettings almost_straight(const VideoMode& mode, const std::string& phosphor)
   settings.spot.sigma_mm = 12;
   settings.deflection.rotation_deg = 1e-7;
   return settings;
-}
-
-double largest(const Image<LinearRgb>& picture) {
-  double most = 0;
-  for (const LinearRgb& p : picture.pixels()) {
-    for (const float v : {p.r, p.g, p.b}) most = std::max(most, std::abs(static_cast<double>(v)));
-  }
-  return most;
-}
-
-double largest_difference(const Image<LinearRgb>& a, const Image<LinearRgb>& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    const LinearRgb p = a.pixels()[i], q = b.pixels()[i];
-    for (const float d : {p.r - q.r, p.g - q.g, p.b - q.b}) {
-      most = std::max(most, std::abs(static_cast<double>(d)));
-    }
-  }
-  return most;
 }
 
 struct Hold {
@@ -99,6 +80,92 @@ TEST(FreeRaster, SlicesAddUpToTheWhole) {
   for (std::size_t i = 0; i < one.values().size(); ++i) {
     EXPECT_NEAR(one.values()[i], many.values()[i], 2e-5) << i;
   }
+}
+
+TEST(FreeRaster, AFieldRateThatIsWrongRollsThePictureAtTheDifference) {
+  const VideoMode mode = small_mode();
+  for (const double off_hz : {-0.7, 1.3}) {
+    TubeSettings settings = fading(mode);
+    settings.sweep.field_hz = 60 + off_hz;
+    RasterTube tube(settings, 128, 192);
+    FrameBuffer buffer = buffer_for(mode);
+    draw_line(buffer, 24);
+    Workers workers(1);
+    // Field by field, the line lies where the video is while the sweep is there: a sweep that is
+    // fast meets it later each time, further down. A turn is 60 lines of video.
+    const auto line_after = [&](int fields) {
+      const Seconds end{fields / settings.sweep.field_hz};
+      tube.expose(buffer, end - Seconds(1 / settings.sweep.field_hz), workers);
+      return centre_of(tube.expose(buffer, end, workers)).y * 48;
+    };
+    const double from = line_after(2), to = line_after(8);
+    const double lines_a_second = (to - from) / (6 / settings.sweep.field_hz);
+    // The line passes 60 times a second, a sweep (60 + off) times, at 3600 lines a second.
+    const double wanted = 3600 * (1.0 / 60 - 1 / settings.sweep.field_hz) * settings.sweep.field_hz;
+    EXPECT_NEAR(lines_a_second, wanted, 0.001 * std::abs(wanted) + 0.05) << off_hz;
+    EXPECT_GT(std::abs(to - from), 3);
+  }
+}
+
+TEST(FreeRaster, ARollComesRoundAtTheDifferenceOfTheRates) {
+  const VideoMode mode = small_mode();
+  TubeSettings settings = fading(mode);
+  settings.sweep.field_hz = 59;
+  RasterTube tube(settings, 128, 192);
+  FrameBuffer buffer = buffer_for(mode);
+  fill_random(buffer, 0, 5);
+  Workers workers(1);
+  const Seconds field{1.0 / 59};
+  tube.expose(buffer, 2 * field, workers);
+  const Image<LinearRgb> first = tube.expose(buffer, 3 * field, workers);
+  // 59 fields in the time of 60 frames: after a second everything is as it was, and not before.
+  tube.expose(buffer, 61 * field, workers);
+  const Image<LinearRgb> second = tube.expose(buffer, 62 * field, workers);
+  EXPECT_LT(largest_difference(first, second), 1e-3 * largest(first));
+  tube.expose(buffer, 100 * field, workers);
+  EXPECT_GT(largest_difference(first, tube.expose(buffer, 101 * field, workers)),
+            0.1 * largest(first));
+}
+
+TEST(FreeRaster, ALineRateThatIsWrongTearsThePictureAtTheDifference) {
+  const VideoMode mode = small_mode();
+  FrameBuffer buffer = buffer_for(mode);
+  draw_column(buffer, 32);
+  Workers workers(1);
+  for (const double share : {0.995, 1.004}) {
+    TubeSettings settings = fading(mode);
+    settings.sweep.line_hz = share * mode.line_rate_hz();
+    RasterTube tube(settings, 512, 96);
+    const Image<LinearRgb> picture = tube.expose(buffer, mode.frame_period(), workers);
+    // The column comes once a line of video, of 80 cells; a line of the sweep is 1 / share of that.
+    double xy = 0, yy = 0;
+    for (int row = 4; row < 92; row += 2) {
+      const double line = (row + 1 - 48) / 2.0;
+      xy += line * centre_of(picture, row, row + 2).x * 64;
+      yy += line * line;
+    }
+    const double wanted = 80 * (share - 1);
+    EXPECT_NEAR(xy / yy, wanted, 0.01 * std::abs(wanted)) << share;
+  }
+}
+
+TEST(FreeRaster, ATearComesRoundAtTheDifferenceOfTheRates) {
+  const VideoMode mode = small_mode();
+  TubeSettings settings = fading(mode);
+  settings.sweep.line_hz = mode.line_rate_hz() * 239 / 240;
+  RasterTube tube(settings, 256, 96);
+  FrameBuffer buffer = buffer_for(mode);
+  fill_random(buffer, 0, 9);
+  Workers workers(2);
+  const Seconds frame = mode.frame_period();
+  tube.expose(buffer, 2 * frame, workers);
+  const Image<LinearRgb> first = tube.expose(buffer, 3 * frame, workers);
+  // 239 lines in the time of 240, which is four frames: ten turns later it is as it was.
+  tube.expose(buffer, 42 * frame, workers);
+  const Image<LinearRgb> later = tube.expose(buffer, 43 * frame, workers);
+  EXPECT_LT(largest_difference(first, later), 1e-3 * largest(first));
+  EXPECT_GT(largest_difference(first, tube.expose(buffer, 44 * frame, workers)),
+            0.1 * largest(first));
 }
 
 }  // namespace
