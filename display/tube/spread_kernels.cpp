@@ -27,7 +27,8 @@ constexpr I di;
 HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(d)); }
 HWY_INLINE Floats set(float v) { return hn::Set(d, v); }
 
-/// 2^x for x below 0, to 8e-5, and 2^-126 for less. Adding 1.5 * 2^23 leaves the whole part in the lowest bits.
+/// 2^x for x below 0, to 8e-5, and 2^-126 for less. Adding 1.5 * 2^23 leaves the whole part in the
+/// lowest bits.
 HWY_INLINE Floats exp2_below(Floats x) {
   x = hn::Max(x, set(-126.0f));
   const Floats shifter = set(12582912.0f);
