@@ -30,17 +30,17 @@ constexpr hn::RebindToSigned<F> di;
 HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(d)); }
 HWY_INLINE Floats set(float v) { return hn::Set(d, v); }
 
-/// exp(-q / 2) for q from 0 to 2 * kSpotReach^2, to 4e-6. Adding 1.5 * 2^23 leaves the whole part
+/// 2^x for x in [-126, 126], to 2e-7, by its power series. Adding 1.5 * 2^23 leaves the whole part
 /// in the lowest bits.
-HWY_INLINE Floats gaussian(Floats q) {
+HWY_INLINE Floats exp2_of(Floats x) {
   const Floats shifter = set(12582912.0f);
-  const Floats x = hn::Mul(q, set(-0.72134752f));
   const Floats shifted = hn::Add(x, shifter);
   const Floats f = hn::Sub(x, hn::Sub(shifted, shifter));
-  Floats p = hn::MulAdd(set(0.0013266979f), f, set(0.0096754694f));
-  p = hn::MulAdd(p, f, set(0.055507427f));
-  p = hn::MulAdd(p, f, set(0.24022122f));
-  p = hn::MulAdd(p, f, set(0.69314695f));
+  Floats p = hn::MulAdd(set(0.00015403530f), f, set(0.0013333558f));
+  p = hn::MulAdd(p, f, set(0.0096181291f));
+  p = hn::MulAdd(p, f, set(0.055504109f));
+  p = hn::MulAdd(p, f, set(0.24022651f));
+  p = hn::MulAdd(p, f, set(0.69314718f));
   p = hn::MulAdd(p, f, set(1.0f));
   return hn::BitCast(d, hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(hn::BitCast(di, shifted))));
 }
@@ -61,26 +61,28 @@ HWY_INLINE Floats normal_below(Floats z) {
   return hn::Mul(p, z);
 }
 
-/// Pixels [first, last) of a row.
-struct Span {
+/// Rows [first, last) of a column of pixels.
+struct Rows {
   float first = 0, last = kBeamTile;
 
-  /// Keeps pixels x with `least` <= start + slope * x <= `most`.
-  HWY_INLINE void keep(float start, float slope, float least, float most) {
-    if (std::abs(slope) < 1e-5f) {
-      if (start < least - 1e-3f || start > most + 1e-3f) last = 0;
+  /// Keeps rows y at which start + y / per_row lies between `least` and `most`. `per_row` is 0
+  /// where it does not change.
+  HWY_INLINE void keep(float start, float per_row, float least, float most) {
+    if (per_row == 0) {
+      if (start < least || start > most) last = 0;
       return;
     }
-    float a = (least - start) / slope, b = (most - start) / slope;
-    if (a > b) std::swap(a, b);
-    first = std::max(first, a);
-    last = std::min(last, b + 1);
+    const float a = (least - start) * per_row, b = (most - start) * per_row;
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b) + 1);
   }
+  HWY_INLINE int begin() const { return static_cast<int>(std::ceil(first)); }
+  HWY_INLINE int end() const { return static_cast<int>(std::max(last, 0.0f)); }
 };
 
 /// Where a tile's planes are, and what a stroke is worth on each.
 struct Target {
-  const BeamTile& tile;
+  BeamTile tile;
   const float* weights;
 
   HWY_INLINE void add(int at, Floats share) const {
@@ -102,57 +104,93 @@ HWY_INLINE Floats share_along(Floats u, Floats length) {
   return hn::Add(normal_below(hn::Min(u, hn::Sub(length, u))), set(0.5f));
 }
 
-template <Ends kEnds>
-HWY_INLINE void line_row(const stroke_law::Line& line, float u0, float v0, int first, int last,
-                         int row, const Target& target) {
-  const Floats step = lane_numbers(d);
-  for (int x = first; x < last; x += lanes()) {
-    const Floats at = hn::Add(step, set(static_cast<float>(x)));
-    const Floats v = hn::MulAdd(at, set(line.across_x), set(v0));
-    const Floats q = hn::Min(hn::Mul(v, v), set(2 * kSpotReach * kSpotReach));
-    const Floats hermite = hn::MulAdd(hn::Sub(q, set(6)), q, set(3));
-    Floats share = hn::Mul(gaussian(q), hn::NegMulAdd(set(line.fourth), hermite, set(1)));
-    if (kEnds != Ends::kNone) {
-      const Floats u = hn::MulAdd(at, set(line.along_x), set(u0));
-      share = hn::Mul(share, share_along<kEnds>(u, set(line.length)));
-    }
-    const auto inside = hn::Lt(step, set(static_cast<float>(last - x)));
-    target.add(row + x, hn::IfThenElseZero(inside, hn::Mul(share, set(line.peak))));
+/// A column as wide as a vector, walked down: of the Gaussian across the line each row's is the
+/// last one's times a ratio, which itself changes by one factor.
+struct Column {
+  Floats along, across;  // in the row that comes next, deviations
+  Floats height, ratio;
+  int at;  // in the tile's plane
+
+  HWY_INLINE Column(const stroke_law::Line& line, int x, int y) : at(y * kBeamTile + x) {
+    const Floats right = hn::Add(lane_numbers(d), set(static_cast<float>(x)));
+    const auto down = static_cast<float>(y);
+    along = hn::MulAdd(right, set(line.along_x), set(line.along_0 + down * line.along_y));
+    across = hn::MulAdd(right, set(line.across_x), set(line.across_0 + down * line.across_y));
+    // Far from the line a lane starts from next to nothing, but from no denormal number.
+    constexpr float kHalfLog2E = 0.72134752f, kMost = 170;
+    const Floats q = hn::Min(hn::Mul(across, across), set(kMost));
+    height = hn::Mul(exp2_of(hn::Mul(q, set(-kHalfLog2E))), set(line.peak));
+    const float step = line.across_y;
+    ratio = exp2_of(hn::Mul(hn::MulAdd(across, set(2 * step), set(step * step)), set(-kHalfLog2E)));
   }
+
+  template <Ends kEnds>
+  HWY_INLINE void draw(const stroke_law::Line& line, int rows, hn::Mask<F> inside,
+                       const Target& target) {
+    const Floats factor = set(line.ratio_step);
+    for (int end = at + rows * kBeamTile; at < end; at += kBeamTile) {
+      const Floats q = hn::Mul(across, across);
+      const Floats hermite = hn::MulAdd(hn::Sub(q, set(6)), q, set(3));
+      Floats share = hn::Mul(height, hn::NegMulAdd(set(line.fourth), hermite, set(1)));
+      if (kEnds != Ends::kNone) share = hn::Mul(share, share_along<kEnds>(along, set(line.length)));
+      const auto near = hn::And(inside, hn::Le(q, set(kSpotReach * kSpotReach)));
+      target.add(at, hn::IfThenElseZero(near, share));
+      along = hn::Add(along, set(line.along_y));
+      across = hn::Add(across, set(line.across_y));
+      height = hn::Mul(height, ratio);
+      ratio = hn::Mul(ratio, factor);
+    }
+  }
+};
+
+/// What the rows of a column are: which the stroke reaches, and which lie wholly between its ends.
+struct ColumnRows {
+  int begin, end, whole_begin, whole_end;
+
+  HWY_INLINE ColumnRows(const stroke_law::Line& line, float x, float width) {
+    const float u = line.along_0 + x * line.along_x, u_step = width * line.along_x;
+    const float v = line.across_0 + x * line.across_x, v_step = width * line.across_x;
+    const float u_low = std::min(u_step, 0.0f), u_high = std::max(u_step, 0.0f);
+    const float v_low = std::min(v_step, 0.0f), v_high = std::max(v_step, 0.0f);
+    Rows reached;
+    reached.keep(v, line.rows_across, -kSpotReach - v_high, kSpotReach - v_low);
+    reached.keep(u, line.rows_along, -kSpotReach - u_high, line.length + kSpotReach - u_low);
+    begin = reached.begin(), end = std::max(begin, reached.end());
+    Rows whole = reached;
+    whole.keep(u, line.rows_along, kSpotReach - u_low, line.length - kSpotReach - u_high);
+    whole_begin = std::clamp(whole.begin(), begin, end);
+    whole_end = line.length > 2 * kSpotReach + u_high - u_low
+                    ? std::clamp(whole.end(), whole_begin, end)
+                    : whole_begin;
+  }
+};
+
+HWY_INLINE void draw_column(const stroke_law::Line& line, int x, int width, const Target& target) {
+  const ColumnRows rows(line, static_cast<float>(x), static_cast<float>(width - 1));
+  if (rows.begin >= rows.end) return;
+  Column column(line, x, rows.begin);
+  const auto inside = hn::Lt(lane_numbers(d), set(static_cast<float>(width)));
+  // So long that no pixel sees both ends.
+  const bool apart = line.length > 2 * kSpotReach;
+  const auto draw_ends = [&](int count) HWY_ATTR {
+    apart ? column.draw<Ends::kNearer>(line, count, inside, target)
+          : column.draw<Ends::kBoth>(line, count, inside, target);
+  };
+  draw_ends(rows.whole_begin - rows.begin);
+  column.draw<Ends::kNone>(line, rows.whole_end - rows.whole_begin, inside, target);
+  draw_ends(rows.end - rows.whole_end);
 }
 
 HWY_INLINE void draw_line(const BeamStroke& stroke, float length, const Target& target) {
   const BeamTile& tile = target.tile;
   const stroke_law::Line line(stroke, length, static_cast<float>(tile.x),
                               static_cast<float>(tile.y));
-  const bool apart = line.length > 2 * kSpotReach;
-  // Rows that the ends' spots reach.
-  const float reach = kSpotReach * std::sqrt(stroke.sigma * stroke.sigma + 1.0f / 12);
-  const float top = std::min(stroke.y0, stroke.y1) - reach - 0.5f - static_cast<float>(tile.y);
-  const float bottom = std::max(stroke.y0, stroke.y1) + reach + 0.5f - static_cast<float>(tile.y);
-  const int y_begin = static_cast<int>(std::max(top, 0.0f));
-  const int y_end = static_cast<int>(std::min(bottom, static_cast<float>(kBeamTile)));
-  for (int y = y_begin; y < y_end; ++y) {
-    const float u0 = line.along_0 + static_cast<float>(y) * line.along_y;
-    const float v0 = line.across_0 + static_cast<float>(y) * line.across_y;
-    Span span;
-    span.keep(v0, line.across_x, -kSpotReach, kSpotReach);
-    span.keep(u0, line.along_x, -kSpotReach, line.length + kSpotReach);
-    const int first = static_cast<int>(std::ceil(std::max(span.first, 0.0f)));
-    const int last = static_cast<int>(std::min<float>(span.last, kBeamTile));
-    if (last <= first) continue;
-    const float u_first = u0 + line.along_x * static_cast<float>(first);
-    const float u_last = u0 + line.along_x * static_cast<float>(last);
-    const bool whole = std::min(u_first, u_last) > kSpotReach &&
-                       std::max(u_first, u_last) < line.length - kSpotReach;
-    const int row = y * kBeamTile;
-    if (whole) {
-      line_row<Ends::kNone>(line, u0, v0, first, last, row, target);
-    } else if (apart) {
-      line_row<Ends::kNearer>(line, u0, v0, first, last, row, target);
-    } else {
-      line_row<Ends::kBoth>(line, u0, v0, first, last, row, target);
-    }
+  const float left = std::min(stroke.x0, stroke.x1) - line.reach - static_cast<float>(tile.x);
+  const float right = std::max(stroke.x0, stroke.x1) + line.reach - static_cast<float>(tile.x);
+  const int begin = static_cast<int>(std::max(left - 0.5f, 0.0f));
+  const int end = static_cast<int>(std::clamp<float>(right + 0.5f, 0, kBeamTile));
+  for (int x = begin; x < end; x += lanes()) {
+    draw_column(line, x, std::min(lanes(), end - x), target);
   }
 }
 

@@ -70,6 +70,9 @@ struct Line {
   float length;
   float peak;    ///< share a pixel in the middle of a long one
   float fourth;  ///< times the fourth Hermite polynomial: what a pixel lacks of a Gaussian
+  float rows_along, rows_across;  ///< pixels down a deviation along and across; 0: too many
+  float ratio_step;  ///< by which the ratio of the heights of neighbouring rows changes
+  float reach;       ///< pixels
 
   /// @param x, y the pixel whose middle counts as (0, 0)
   Line(const BeamStroke& s, float length_px, float x, float y) {
@@ -84,6 +87,10 @@ struct Line {
     const float inverse_root_2pi = 0.39894228f / static_cast<float>(kWithinReach);
     peak = inverse_root_2pi / (length_px * sigma);
     const float variance = sigma * sigma;
+    const auto inverse = [](float v) { return std::abs(v) < 1e-6f ? 0 : 1 / v; };
+    rows_along = inverse(along_y), rows_across = inverse(across_y);
+    ratio_step = std::exp(-across_y * across_y);
+    reach = kSpotReach * sigma;
     fourth = (ux * ux * ux * ux + uy * uy * uy * uy) / (2880 * variance * variance);
   }
 };
