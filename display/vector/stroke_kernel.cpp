@@ -84,9 +84,14 @@ struct Rows {
 struct Target {
   BeamTile tile;
   const float* weights;
+  Floats first_weight = set(weights[0]);
 
   HWY_INLINE void add(int at, Floats share) const {
     float* light = tile.light + at;
+    if (tile.planes == 1) {
+      hn::StoreU(hn::MulAdd(first_weight, share, hn::LoadU(d, light)), d, light);
+      return;
+    }
     for (int p = 0; p < tile.planes; ++p, light += kBeamTilePlane) {
       hn::StoreU(hn::MulAdd(set(weights[p]), share, hn::LoadU(d, light)), d, light);
     }
@@ -124,22 +129,29 @@ struct Column {
     ratio = exp2_of(hn::Mul(hn::MulAdd(across, set(2 * step), set(step * step)), set(-kHalfLog2E)));
   }
 
+  /// Draws some rows. What is stored might alias what is not a copy.
   template <Ends kEnds>
   HWY_INLINE void draw(const stroke_law::Line& line, int rows, hn::Mask<F> inside,
                        const Target& target) {
-    const Floats factor = set(line.ratio_step);
-    for (int end = at + rows * kBeamTile; at < end; at += kBeamTile) {
-      const Floats q = hn::Mul(across, across);
+    if (rows <= 0) return;
+    const Floats factor = set(line.ratio_step), fourth = set(line.fourth);
+    const Floats length = set(line.length), reach = set(kSpotReach * kSpotReach);
+    const Floats along_step = set(line.along_y), across_step = set(line.across_y);
+    Floats u = along, v = across, h = height, r = ratio;
+    const Target to = target;
+    int place = at;
+    for (const int end = at + rows * kBeamTile; place < end; place += kBeamTile) {
+      const Floats q = hn::Mul(v, v);
       const Floats hermite = hn::MulAdd(hn::Sub(q, set(6)), q, set(3));
-      Floats share = hn::Mul(height, hn::NegMulAdd(set(line.fourth), hermite, set(1)));
-      if (kEnds != Ends::kNone) share = hn::Mul(share, share_along<kEnds>(along, set(line.length)));
-      const auto near = hn::And(inside, hn::Le(q, set(kSpotReach * kSpotReach)));
-      target.add(at, hn::IfThenElseZero(near, share));
-      along = hn::Add(along, set(line.along_y));
-      across = hn::Add(across, set(line.across_y));
-      height = hn::Mul(height, ratio);
-      ratio = hn::Mul(ratio, factor);
+      Floats share = hn::Mul(h, hn::NegMulAdd(fourth, hermite, set(1)));
+      if (kEnds != Ends::kNone) share = hn::Mul(share, share_along<kEnds>(u, length));
+      to.add(place, hn::IfThenElseZero(hn::And(inside, hn::Le(q, reach)), share));
+      u = hn::Add(u, along_step);
+      v = hn::Add(v, across_step);
+      h = hn::Mul(h, r);
+      r = hn::Mul(r, factor);
     }
+    along = u, across = v, height = h, ratio = r, at = place;
   }
 };
 
@@ -172,13 +184,14 @@ HWY_INLINE void draw_column(const stroke_law::Line& line, int x, int width, cons
   const auto inside = hn::Lt(lane_numbers(d), set(static_cast<float>(width)));
   // So long that no pixel sees both ends.
   const bool apart = line.length > 2 * kSpotReach;
-  const auto draw_ends = [&](int count) HWY_ATTR {
-    apart ? column.draw<Ends::kNearer>(line, count, inside, target)
-          : column.draw<Ends::kBoth>(line, count, inside, target);
-  };
-  draw_ends(rows.whole_begin - rows.begin);
-  column.draw<Ends::kNone>(line, rows.whole_end - rows.whole_begin, inside, target);
-  draw_ends(rows.end - rows.whole_end);
+  const int before = rows.whole_begin - rows.begin, after = rows.end - rows.whole_end;
+  if (apart) {
+    column.draw<Ends::kNearer>(line, before, inside, target);
+    column.draw<Ends::kNone>(line, rows.whole_end - rows.whole_begin, inside, target);
+    column.draw<Ends::kNearer>(line, after, inside, target);
+  } else {
+    column.draw<Ends::kBoth>(line, rows.end - rows.begin, inside, target);
+  }
 }
 
 HWY_INLINE void draw_line(const BeamStroke& stroke, float length, const Target& target) {
