@@ -1,0 +1,106 @@
+// The vector beam: vectors of mean length 20 pixels and a spot of deviation 1 pixel onto a picture,
+// the wall time of the whole picture.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "bench/program.h"
+#include "bench/statistics.h"
+#include "display/vector/beam_painter.h"
+
+namespace kinescope::bench {
+namespace {
+
+struct Options {
+  int width = 1920, height = 1080, vectors = 1000000, runs = 9;
+  float length = 20, sigma = 1;
+  std::vector<int> threads{1, 2};
+  std::vector<int> planes{1};
+  bool json = false;
+};
+
+struct Row {
+  int threads, planes;
+  double ms, vectors_a_second;
+};
+
+/// Random places and directions, lengths even from nothing to twice the mean.
+std::vector<BeamStroke> random_strokes(const Options& o) {
+  std::mt19937 random(1);
+  const auto between = [&](float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random);
+  };
+  std::vector<BeamStroke> strokes;
+  for (int i = 0; i < o.vectors; ++i) {
+    const float x = between(0, static_cast<float>(o.width));
+    const float y = between(0, static_cast<float>(o.height));
+    const float angle = between(0, 2 * std::numbers::pi_v<float>);
+    const float length = between(0, 2 * o.length);
+    strokes.push_back({x, y, x + length * std::cos(angle), y + length * std::sin(angle), o.sigma});
+  }
+  return strokes;
+}
+
+Row measure(const Options& o, const std::vector<BeamStroke>& strokes, int threads, int planes) {
+  Workers workers(threads);
+  TiledLight light(o.width, o.height, planes);
+  const std::vector<float> weights(strokes.size() * static_cast<std::size_t>(planes), 1.0f);
+  BeamPainter painter;
+  std::vector<double> times;
+  for (int run = 0; run < o.runs + 1; ++run) {
+    const auto began = std::chrono::steady_clock::now();
+    light.clear();
+    painter.draw(strokes, weights, light, workers);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - began;
+    if (run > 0) times.push_back(time.count());
+  }
+  const double ms = median(times);
+  return {threads, planes, ms, 1e3 * o.vectors / ms};
+}
+
+int run(int argc, char** argv) {
+  Options o;
+  CLI::App app("Times the vector beam: many strokes onto a dark picture");
+  app.add_option("--width", o.width, "of the picture")->check(CLI::Range(1, 16384));
+  app.add_option("--height", o.height, "of the picture")->check(CLI::Range(1, 16384));
+  app.add_option("--vectors", o.vectors, "a picture")->check(CLI::Range(1, 100000000));
+  app.add_option("--length", o.length, "mean, pixels")->check(CLI::Range(0.0f, 10000.0f));
+  app.add_option("--sigma", o.sigma, "of the spot, pixels")->check(CLI::Range(0.1f, 30.0f));
+  app.add_option("--threads", o.threads, "each a row")->delimiter(',');
+  app.add_option("--planes", o.planes, "drawn on at once; each a row")->delimiter(',');
+  app.add_option("--runs", o.runs, "timed")->check(CLI::Range(1, 1000));
+  app.add_flag("--json", o.json, "a list instead of a table");
+  CLI11_PARSE(app, argc, argv);
+  const std::vector<BeamStroke> strokes = random_strokes(o);
+  std::vector<Row> rows;
+  for (const int planes : o.planes) {
+    for (const int threads : o.threads) rows.push_back(measure(o, strokes, threads, planes));
+  }
+  if (o.json) fmt::print("[");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& r = rows[i];
+    if (o.json) {
+      fmt::print(
+          "{}\n  {{\"workload\": \"beam\", \"threads\": {}, \"planes\": {}, \"ms\": {:.3f}, "
+          "\"vectors_a_second\": {:.0f}}}",
+          i ? "," : "", r.threads, r.planes, r.ms, r.vectors_a_second);
+    } else {
+      fmt::print("beam: {} threads, {} planes: {:.1f} ms, {:.2f} million vectors a second\n",
+                 r.threads, r.planes, r.ms, 1e-6 * r.vectors_a_second);
+    }
+  }
+  if (o.json) fmt::print("\n]\n");
+  return 0;
+}
+
+}  // namespace
+}  // namespace kinescope::bench
+
+int main(int argc, char** argv) {
+  return kinescope::bench::run_program("bench_vector", kinescope::bench::run, argc, argv);
+}
