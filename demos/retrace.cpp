@@ -11,7 +11,7 @@
 namespace kinescope {
 namespace {
 
-enum { kRaster, kPhosphor, kPath, kCharts, kGuide, kIris };
+enum { kRaster, kPhosphor, kPath, kCharts, kGuide, kIris, kBrightness };
 
 constexpr double kFirstTimeScale = 1.0 / 500;
 constexpr float kChartShare = 0.25f;  // of the picture's height
@@ -19,7 +19,8 @@ constexpr int kGuideShare = 9;        // one part in so many of the picture's co
 constexpr Srgb8 kSurround{10, 10, 12, 255};
 
 // 48 lines at 60 Hz, so coarse that one line of it can be watched.
-constexpr std::array kModes = {"640x480@60", "Modeline \"64x48\" 0.264 64 66 74 80 48 49 51 55"};
+constexpr std::array kModes = {"640x480@60", "Modeline \"64x48\" 0.264 64 66 74 80 48 49 51 55",
+                               "Modeline \"64x48i\" 0.264 64 66 74 80 48 49 51 55 interlace"};
 constexpr std::array kPhosphors = {"P22", "P4", "P31", "P1"};
 
 class Retrace : public ClonableDemo<Retrace> {
@@ -27,7 +28,7 @@ class Retrace : public ClonableDemo<Retrace> {
   explicit Retrace(const DemoSetup& setup)
       : ClonableDemo(
             setup,
-            {choice_knob("raster", {"r"}, {"640 x 480", "64 x 48"}, 0,
+            {choice_knob("raster", {"r"}, {"640 x 480", "64 x 48", "64 x 48 interlaced"}, 0,
                          "lines as of a VGA monitor, or few enough to watch one"),
              choice_knob("phosphor", {"p"},
                          {"P22 colour", "P4 white", "P31 green", "P1 slow green"}, 0,
@@ -36,7 +37,9 @@ class Retrace : public ClonableDemo<Retrace> {
              toggle_knob("charts", "c", true, "deflection and blanking against time"),
              toggle_knob("guide", "g", true, "the whole picture, faint, as the eye adds it up"),
              number_knob("iris", "-", "=", -6, 6, 1, 0, "stops",
-                         "the camera's iris: each stop halves the light")}),
+                         "the camera's iris: each stop halves the light"),
+             number_knob("brightness", "1", "2", 0, 0.5, 0.05, 0, "",
+                         "added to the video: beyond the blanking the way back shows")}),
         monitor_(make_monitor()) {}
 
   std::size_t state_bytes() const override { return monitor_.state_bytes(); }
@@ -49,22 +52,21 @@ class Retrace : public ClonableDemo<Retrace> {
     // Room round the picture shows where the beam overshoots it.
     return Rect{0, 0, whole.width, whole.height * (1 - share)}.shrunk(whole.height * 0.025f);
   }
-  Monitor make_monitor() const {
+  TubeSettings settings() const {
     TubeSettings settings{parse_mode(kModes[static_cast<std::size_t>(knob(kRaster).index())])};
     settings.phosphor = kPhosphors[static_cast<std::size_t>(knob(kPhosphor).index())];
-    return Monitor(settings, PixelFormat::kXrgb8888, room());
+    settings.gun.brightness = knob(kBrightness).value;
+    return settings;
   }
+  Monitor make_monitor() const { return Monitor(settings(), PixelFormat::kXrgb8888, room()); }
   void resized() override { monitor_.resize(room()); }
 
   void update(const Step& step) override {
-    const std::array now = {knob(kRaster).index(), knob(kPhosphor).index(), knob(kCharts).index()};
-    if (now == built_) return;
-    if (now[2] != built_[2]) monitor_.resize(room());
-    if (now[0] != built_[0] || now[1] != built_[1]) {
-      monitor_ = make_monitor();
-      monitor_.switch_on(step.exposure.begin);
+    monitor_.adjust(settings(), step.exposure.begin);
+    if (knob(kCharts).on() != charts_) {
+      charts_ = knob(kCharts).on();
+      monitor_.resize(room());
     }
-    built_ = now;
   }
 
   void draw(const Step& step, Image<Srgb8>& picture) override {
@@ -103,7 +105,7 @@ class Retrace : public ClonableDemo<Retrace> {
     }
   }
 
-  std::array<int, 3> built_ = {0, 0, 1};
+  bool charts_ = true;
   Monitor monitor_;
   Image<Srgb8> card_;
 };

@@ -18,9 +18,10 @@
 namespace kinescope {
 namespace {
 
-enum { kSet, kPicture, kSync, kVertical, kHorizontal, kHum, kMains, kSag, kPairing, kIris };
+enum { kSet, kPicture, kSync, kVertical, kHorizontal, kHum, kSag, kPairing, kIris };
 
 constexpr std::array kSets = {"television-white", "television-slot", "arcade", "vga-14", "radar"};
+constexpr double kRipple = 0.03;  // of half the picture's width
 // How far from the sync's rate an oscillator may run and still be pulled along.
 constexpr double kHoldsFields = 0.03, kHoldsLines = 0.01;
 
@@ -44,12 +45,11 @@ class Sync : public ClonableDemo<Sync> {
                          "the field oscillator's error: the picture rolls"),
              number_knob("horizontal hold", "3", "4", -2, 2, 0.02, 0, "%",
                          "the line oscillator's error: the picture tears"),
-             number_knob("hum", "5", "6", 0, 0.1, 0.005, 0, "",
-                         "ripple of the mains in the deflection: edges bend"),
-             choice_knob("mains", {"m"}, {"50 Hz", "60 Hz"}, 0, "how fast bent edges wander"),
-             number_knob("sag", "7", "8", 0, 0.3, 0.02, 0, "",
+             choice_knob("hum", {"m"}, {"none", "50 Hz", "60 Hz"}, 0,
+                         "ripple of the mains in the deflection: edges bend, and wander"),
+             number_knob("sag", "5", "6", 0, 0.3, 0.02, 0, "",
                          "the high voltage lost in a white picture: bright parts grow"),
-             number_knob("second fields", "9", "0", -1, 1, 0.1, 0, "",
+             number_knob("second fields", "7", "8", -1, 1, 0.1, 0, "",
                          "how late they start, of half a line: at -1 an interlaced set pairs"),
              number_knob("iris", "-", "=", -6, 6, 1, 0, "stops",
                          "the camera's iris: each stop halves the light")}),
@@ -80,8 +80,8 @@ class Sync : public ClonableDemo<Sync> {
     if (!sync || std::abs(lines) > kHoldsLines) {
       s.sweep.line_hz = s.mode.line_rate_hz() * (1 + lines);
     }
-    s.sweep.hum_x = knob(kHum).value;
-    s.sweep.hum_hz = knob(kMains).index() == 0 ? 50 : 60;
+    s.sweep.hum_x = knob(kHum).index() == 0 ? 0 : kRipple;
+    s.sweep.hum_hz = knob(kHum).index() == 1 ? 50 : 60;
     s.sweep.sag = knob(kSag).value;
     s.sweep.interlace_error = knob(kPairing).value;
     return s;

@@ -160,7 +160,7 @@ void RasterTube::State::leave_glow(Workers& workers) {
 void RasterTube::State::build_front(const Screen* like) {
   screen = std::make_shared<Screen>(settings, beams.layers, width, height, like);
   retrace_light = std::make_shared<RetraceLight>(settings, gun.current(-settings.gun.blanking),
-                                                 beams.layers, laws(), width, height);
+                                                 laws(), width, height);
   work = TubeWork();
   locked.forget();
 }
@@ -224,6 +224,7 @@ void RasterTube::resize(int width, int height) { state_->set_size(width, height)
 
 bool RasterTube::adjust(const TubeSettings& settings) {
   const TubeSettings& now = state_->settings;
+  if (settings == now) return true;
   const bool keeps = settings.mode == now.mode && settings.phosphor == now.phosphor;
   if (keeps) {
     state_->turn_knobs(settings);

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "display/tube/line_ranges.h"
 #include "display/tube/stage_timer.h"
 
 namespace kinescope {
 namespace {
+
+constexpr float kLeastGlow = 1e-7f;  // of white; what is less is not left behind
 
 /// Frames after which the light of a still picture changes by less than one part in 10^5.
 int frames_to_settle(const Phosphor& phosphor, const VideoMode& mode) {
@@ -109,15 +112,21 @@ bool LockedRaster::pass(const RasterScan& scan, const Gun& gun, FrameBuffer& buf
 void LockedRaster::leave(const RasterScan& scan, BeamTime now, const Screen& screen,
                          Afterglow& afterglow, Workers& workers) {
   LayerLight light{{cells_, lines_}, {cells_, lines_}};
+  std::vector<std::uint8_t> glows(static_cast<std::size_t>(lines_));
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     PhosphorLayer& phosphor = layers_[i].phosphor;
     for (std::size_t term = 0; term < phosphor.terms(); ++term) {
       workers.run(lines_, [&](int line, int) {
+        const LightRows rows = {light.narrow.line(line), light.wide.line(line)};
         for (const CellRange& range : line_ranges(scan, now, now, line)) {
-          if (range.excited) continue;
-          phosphor.leave(term, line, range, {light.narrow.line(line), light.wide.line(line)});
+          if (!range.excited) phosphor.leave(term, line, range, rows);
         }
+        const auto bright = [this](const float* row) {
+          return std::any_of(row, row + cells_, [](float l) { return l > kLeastGlow; });
+        };
+        glows[static_cast<std::size_t>(line)] = bright(rows[0]) || bright(rows[1]);
       });
+      if (std::find(glows.begin(), glows.end(), 1) == glows.end()) continue;
       screen.spread(screen.rasters(), i, light, workers, afterglow.open(i, term));
     }
     phosphor.darken();

@@ -1,5 +1,6 @@
 // The light of the blanked beam as it flies back. Blanking drives the guns below black; with the
-// brightness raised they conduct all the same, and the retrace lines appear.
+// brightness raised they conduct all the same, and the retrace lines appear. The three guns' beams
+// fly together: errors of convergence are left out.
 #pragma once
 
 #include <span>
@@ -7,8 +8,9 @@
 
 #include "display/phosphor.h"
 #include "display/raster_scan.h"
-#include "display/tube/screen.h"
 #include "display/tube/settings.h"
+#include "display/vector/beam_painter.h"
+#include "raster/base/workers.h"
 
 namespace kinescope {
 
@@ -19,24 +21,33 @@ class RetraceLight {
  public:
   /// @param current of the blanked beam, white's being 1
   /// @param laws of the layers' phosphors
-  RetraceLight(const TubeSettings& settings, double current, std::span<const ScreenLayer> layers,
-               std::span<const Phosphor> laws, int width, int height);
+  RetraceLight(const TubeSettings& settings, double current, std::span<const Phosphor> laws,
+               int width, int height);
 
   /// Light of [begin, end), as if the beam had been so for ever; white over one refresh is 1.
   /// @return empty if the beam is cut off; valid until the next call
   const LightOverlay& light(BeamTime begin, BeamTime end, Workers& workers);
 
  private:
-  void draw_layer(std::size_t layer, BeamTime begin, BeamTime end);
-  void draw_spot(std::vector<float>& plane, double x, double y, float light) const;
+  /// A piece of the blanked beam's way, straight and evenly run, and when; clocks of the frame.
+  struct Flight {
+    BeamStroke stroke;
+    double begin = 0, length = 0;
+  };
+  void follow_frame(const TubeSettings& settings);
+  void follow_line(const TubeSettings& settings, int line);
+  void weigh(BeamTime begin, BeamTime end);
 
-  TubeSettings settings_;
   RasterScan scan_;
   double current_;
-  std::vector<ScreenLayer> layers_;
   std::vector<Phosphor> laws_;
   int width_, height_;
-  double across_pixels_ = 0, down_pixels_ = 0;  // the spot's deviations, with the pixel's own
+  double cell_pixels_;  // of the output, that a cell of the raster covers
+  std::vector<Flight> flights_;
+  std::vector<BeamStroke> strokes_;
+  std::vector<float> weights_;  // of each stroke, of each layer
+  TiledLight tiles_;
+  BeamPainter painter_;
   LightOverlay overlay_;
   BeamTime length_drawn_;  // of whole frames only: then the light is the same at every phase
 };
