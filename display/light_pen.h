@@ -43,6 +43,8 @@ class LightPen {
  public:
   LightPen(const TubeSettings& tube, const LightPenSettings& settings);
   const LightPenSettings& settings() const { return settings_; }
+  const TubeSettings& tube() const { return tube_; }
+  const RasterScan& scan() const { return scan_; }
   void move(Place place);
 
   /// When the pen first trips in the window. @param buffer scanned as it is
