@@ -265,7 +265,7 @@ Examples:
   kinescope render model.obj --turntable --frames 24 --size 320x240 -o turn.y4m)";
 
 constexpr const char* kDisplayExamples =
-    R"(Without -o a picture is shown in a window; a film is written to out/.
+    R"(Without -o a window opens: Space pauses, . steps, [ and ] slow time down and up again.
 Examples:
   kinescope display photo.png -o tube.png
   kinescope display pattern:smpte-bars --mode ntsc -o bars.png
