@@ -37,8 +37,8 @@ struct PixelAddress {
 /// well the pen sees each, runs through photodiode and amplifier. The pen trips where that signal
 /// rises beyond the threshold. So it tells the first line that is bright enough within its view:
 /// with a wide view or a low threshold that is one above its axis, as in life. Not modelled: mask,
-/// halation and the light of the retrace; the room's light is steady, and held back. The picture is
-/// taken to have stood for a frame.
+/// halation and the light of the retrace; sweeps that run free, hum and sag; the room's light is
+/// steady, and held back. The picture is taken to have stood for a frame.
 class LightPen {
  public:
   LightPen(const TubeSettings& tube, const LightPenSettings& settings);
