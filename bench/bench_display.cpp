@@ -1,5 +1,7 @@
 // The raster tube beside ffmpeg's plain Lanczos upscale of the same frames to the same size, rgb24
 // in and out, in turn. The tube does all it can do; ffmpeg only resizes.
+#include <malloc.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -26,7 +28,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> sources{"320x240", "640x480"};
-  std::vector<std::string> outputs{"1920x1080"};
+  std::vector<std::string> outputs{"1920x1080", "3840x2160"};
   std::vector<std::string> presets{"bench-flat", "bench-curved"};
   int threads = 2, pairs = 9, frames = 20;
   bool json = false, planar = false;
@@ -36,13 +38,21 @@ struct Row {
   std::string source, output, preset;
   double ms = 0, ffmpeg_ms = 0, ratio = 0;
   RasterTube::Times stages;
-  double still_ms = 0;  // of a picture that does not change
+  double still_share = 0, black_share = 0;  // of ms, for a picture that does not change
+  double bytes_a_pixel = 0;                 // of the output, all that the tube holds
+  double growth = 1;                        // ms over the first output's
 };
 
 double now_ms() {
   return std::chrono::duration<double, std::milli>(
              std::chrono::steady_clock::now().time_since_epoch())
       .count();
+}
+
+/// Bytes that are allocated now.
+double heap_bytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
 /// Two tubes with everything on: a flat one with an aperture grille, and a curved one with a slot
@@ -155,11 +165,15 @@ Row measure(const std::string& source_text, const std::string& output_text,
   const Size source = parse_size(source_text, "--source");
   const Size output = parse_size(output_text, "--output");
   const std::vector<std::uint8_t> frames = film(source, options.frames);
-  Ours ours(settings_of(preset, source, output), source, output, options.threads);
   const Ffmpeg ffmpeg(frames, source, output, options);
+  const double before = heap_bytes();
+  Ours ours(settings_of(preset, source, output), source, output, options.threads);
   ours.time_ms(frames, 3, true);
+  const double held = heap_bytes() - before;
   std::vector<double> mine, theirs, ratios;
-  Row row{source_text, output_text, preset, 0, 0, 0, {}, 0};
+  Row row;
+  row.source = source_text, row.output = output_text, row.preset = preset;
+  row.bytes_a_pixel = held / output.width / output.height;
   for (int pair = 0; pair < options.pairs; ++pair) {
     mine.push_back(ours.time_ms(frames, options.frames, true));
     theirs.push_back(ffmpeg.time_ms(options.frames));
@@ -169,21 +183,29 @@ Row measure(const std::string& source_text, const std::string& output_text,
   row.ffmpeg_ms = median(theirs);
   row.ratio = median(ratios);
   row.stages = ours.times();
-  ours.time_ms(frames, 40, false);
-  row.still_ms = ours.time_ms(frames, 40, false);
+  const auto steady_share = [&](const std::vector<std::uint8_t>& shown) {
+    constexpr int kFrames = 40;
+    ours.time_ms(shown, kFrames, false);
+    return ours.time_ms(shown, kFrames, false) / row.ms;
+  };
+  row.still_share = steady_share(frames);
+  row.black_share = steady_share(std::vector<std::uint8_t>(frames.size()));
   return row;
 }
 
 void print_table(const std::vector<Row>& rows, int threads) {
-  fmt::print("{:8} {:10} {:16} {:>7} {:>8} {:>9} {:>6}  {:>6} {:>8} {:>5} {:>6}  {:>8}\n", "source",
-             "output", "tube", "threads", "ms", "ffmpeg ms", "ratio", "guns", "phosphor", "glow",
-             "glass", "still ms");
+  fmt::print(
+      "{:8} {:10} {:16} {:>7} {:>8} {:>9} {:>6}  {:>6} {:>8} {:>5} {:>6}  {:>6} {:>6} {:>6} "
+      "{:>7}\n",
+      "source", "output", "tube", "threads", "ms", "ffmpeg ms", "ratio", "guns", "phosphor", "glow",
+      "glass", "still", "black", "growth", "B/pixel");
   for (const Row& r : rows) {
     fmt::print(
         "{:8} {:10} {:16} {:7} {:8.2f} {:9.2f} {:6.3f}  {:6.2f} {:8.2f} {:5.2f} {:6.2f}  "
-        "{:8.2f}\n",
+        "{:5.1f}% {:5.1f}% {:6.2f} {:7.1f}\n",
         r.source, r.output, r.preset, threads, r.ms, r.ffmpeg_ms, r.ratio, r.stages.guns,
-        r.stages.phosphor, r.stages.glow, r.stages.glass, r.still_ms);
+        r.stages.phosphor, r.stages.glow, r.stages.glass, 100 * r.still_share, 100 * r.black_share,
+        r.growth, r.bytes_a_pixel);
   }
 }
 
@@ -193,7 +215,9 @@ void print_json(const std::vector<Row>& rows, int threads) {
   for (const Row& r : rows) {
     json.begin_object().member("source", r.source).member("output", r.output);
     json.member("preset", r.preset).member("threads", threads).member("ms", r.ms);
-    json.member("ffmpeg_ms", r.ffmpeg_ms).member("ratio", r.ratio).member("still_ms", r.still_ms);
+    json.member("ffmpeg_ms", r.ffmpeg_ms).member("ratio", r.ratio);
+    json.member("still_share", r.still_share).member("black_share", r.black_share);
+    json.member("growth", r.growth).member("bytes_a_pixel", r.bytes_a_pixel);
     json.key("stages_ms").begin_object().member("guns", r.stages.guns);
     json.member("phosphor", r.stages.phosphor).member("glow", r.stages.glow);
     json.member("glass", r.stages.glass).end_object().end_object();
@@ -218,7 +242,13 @@ int run(int argc, char** argv) {
   for (const std::string& output : options.outputs) {
     for (const std::string& preset : options.presets) {
       for (const std::string& source : options.sources) {
-        rows.push_back(measure(source, output, preset, options));
+        Row row = measure(source, output, preset, options);
+        for (const Row& first : rows) {
+          if (first.source != source || first.preset != preset) continue;
+          row.growth = row.ms / first.ms;
+          break;
+        }
+        rows.push_back(std::move(row));
       }
     }
   }

@@ -1,4 +1,4 @@
-// The command line. The only file behind which CLI11 stands.
+// The command line. CLI11 stands behind it and what lies in demos/grammar/.
 #pragma once
 
 #include <string>

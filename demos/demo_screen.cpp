@@ -131,7 +131,7 @@ void DemoScreen::compose(int frames_per_second) {
   frame_ = player_.picture();
   shown_rate_ = frames_per_second;
   if (show_panel_ && !show_help_) panel_.lay(info_, player_.demo(), *studio_, frame_);
-  if (show_help_) help_.lay(info_, player_.demo(), *studio_, frame_);
+  if (show_help_) help_.lay(info_, player_.demo().knobs(), *studio_, frame_);
   hud_.lay({std::string(info_.name), transport_.text(), frames_per_second, transport_.paused(),
             message_},
            *studio_, frame_);

@@ -34,13 +34,13 @@ void check_fields(const VideoMode& mode, const PictureFeed::Facts& facts) {
               "--mode");
 }
 
+}  // namespace
+
 std::int64_t first_refresh(const DisplayPlan& plan, bool still) {
   const double begin_s = plan.start.count() + plan.frames.first * plan.rate.period().count();
   const auto refresh = static_cast<std::int64_t>(begin_s * plan.refresh.hertz() + 1e-6);
   return still ? refresh : std::max<std::int64_t>(0, refresh - kLeadIn);
 }
-
-}  // namespace
 
 RasterFit fit_of(const DisplayPlan& plan, const PictureFeed::Facts& facts, Workers& workers) {
   const double pixels = static_cast<double>(facts.size.width) / facts.size.height;

@@ -35,6 +35,10 @@ TubeShot plan_shot(const Options& options);
 /// @throws Error (usage) on options that do not go together
 DisplayPlan plan_display_film(const Options& options, const PictureFeed::Facts& facts);
 
+/// The refresh, from the feed's beginning, from which the display is run: some before the first
+/// picture, so that slow phosphors glow.
+std::int64_t first_refresh(const DisplayPlan& plan, bool still);
+
 /// Lays the feed's pictures on the raster of the plan's mode.
 RasterFit fit_of(const DisplayPlan& plan, const PictureFeed::Facts& facts, Workers& workers);
 

@@ -71,6 +71,7 @@ class VideoFeed : public PictureFeed {
     if (!any_) throw_bad_input("a film without frames", file_->name());
     return false;
   }
+  void interrupt() override { file_->interrupt(); }
 
  private:
   std::unique_ptr<InputFile> file_;

@@ -27,6 +27,8 @@ class PictureFeed {
   const Facts& facts() const { return facts_; }
   /// @return false if there are no more. @throws Error (bad input)
   virtual bool next(Image<Srgb8>& picture) = 0;
+  /// From any thread: whoever waits in next() for what has not come yet waits no longer.
+  virtual void interrupt() {}
 
  protected:
   Facts facts_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "display/light_encode.h"
+
 namespace kinescope {
 namespace {
 
@@ -82,6 +84,22 @@ void TubeCamera::pass_to(Seconds time) {
   time = snapped(time);
   while (now_ < time) run_to(time);
   turn_page();
+}
+
+bool TubeCamera::photograph(Exposure exposure, const RasterTube::Print& print) {
+  exposure = {snapped(exposure.begin), snapped(exposure.end)};
+  pass_to(exposure.begin);
+  turn_page();
+  if (exposure.end <= static_cast<double>(refresh_ + 1) * period_) {
+    now_ = exposure.end;
+    return tube_.photograph(buffer_, static_cast<double>(settling_) * period_ + now_, workers_,
+                            print);
+  }
+  encode_light(expose(exposure), ExposureGain::fixed(print.gain), workers_, encoded_);
+  for (int y = 0; y < encoded_.height(); ++y) {
+    std::copy_n(encoded_.row(y), encoded_.width(), print.out.row(print.top + y) + print.left);
+  }
+  return true;
 }
 
 const Image<LinearRgb>& TubeCamera::expose(Exposure exposure) {

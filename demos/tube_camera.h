@@ -34,10 +34,19 @@ class TubeCamera {
   /// time. @return valid until the next call
   const Image<LinearRgb>& expose(Exposure exposure);
 
+  /// The same light times the gain, encoded, as RasterTube::photograph() lays it down; faster
+  /// within one refresh. @return whether it drew
+  bool photograph(Exposure exposure, const RasterTube::Print& print);
+
+  /// Changes the photographs' size; the tube's light stays.
+  void resize(int width, int height) { tube_.resize(width, height); }
+
   /// Lets time pass unseen until `time`; the refresh that begins then, if one does, has its
   /// picture.
   void pass_to(Seconds time);
 
+  /// The end of the last exposure.
+  Seconds now() const { return now_; }
   Rate refresh() const { return settings_.mode.frame_rate(); }
 
  private:
@@ -62,6 +71,7 @@ class TubeCamera {
   std::int64_t settling_ = 0;  ///< refreshes that passed before time 0
   std::int64_t refresh_ = 0;   ///< the one that passes
   Image<LinearRgb> sum_;
+  Image<Srgb8> encoded_;
 };
 
 }  // namespace kinescope

@@ -3,8 +3,12 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "demos/console.h"
 #include "demos/demo_screen.h"
+#include "demos/film_screen.h"
+#include "demos/film_window.h"
 #include "demos/gallery.h"
 #include "demos/registry.h"
 #include "demos/session.h"
@@ -99,6 +103,19 @@ int run_gallery_window(const DemoOptions& options) {
     if (run_demo(presenter, studio, all_demos()[*choice], options.seed) == Outcome::kClosed)
       return 0;
   }
+}
+
+int run_film_window(const Options& options, const DisplayPlan& plan,
+                    std::unique_ptr<PictureFeed> feed) {
+  const std::string& input = options.display.input;
+  const std::string name = input == "-" ? "standard input" : input;
+  Presenter presenter("kinescope: " + name, plan.shot.size.width, plan.shot.size.height);
+  const WindowPace pace = window_pace(options.picture.shutter, presenter.refresh(), plan.refresh);
+  if (!pace.remark.empty()) print_remark(pace.remark, options.common.quiet);
+  FilmScreen screen(name, plan, std::move(feed), pace,
+                    std::make_shared<Studio>(options.common.threads));
+  run(presenter, screen);
+  return 0;
 }
 
 }  // namespace kinescope

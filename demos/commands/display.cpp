@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "demos/commands/commands.h"
 #include "demos/console.h"
 #include "demos/display_film.h"
-#include "demos/picture_demo.h"
+#include "demos/film_window.h"
 #include "demos/progress.h"
-#include "demos/session.h"
 #include "display/presenter.h"
 #include "display/tube/preset.h"
 #include "raster/base/error.h"
@@ -123,21 +123,6 @@ void film_feed(const Options& options, PictureFeed& feed, const DisplayPlan& pla
   }
 }
 
-/// A still picture on its tube, in a window.
-int show_picture(const Options& options, const DisplayPlan& plan, PictureFeed& feed,
-                 Workers& workers) {
-  Image<Srgb8> picture;
-  feed.next(picture);
-  RasterFit fit = fit_of(plan, feed.facts(), workers);
-  const Image<Srgb8>& raster = fit(picture);
-  const TubeSettings& tube = plan.shot.tube;
-  const bool is_drive = plan.shot.signal == TubeSignal::kGunDrive;
-  GammaCorrection correct(tube.gun.gamma);
-  const DemoInfo demo = picture_demo(tube, is_drive ? raster : correct(raster));
-  return run_demo_window(demo, {plan.shot.size.width, plan.shot.size.height, options.common.seed,
-                                options.common.threads});
-}
-
 }  // namespace
 
 int run_display(const Options& options) {
@@ -151,14 +136,13 @@ int run_display(const Options& options) {
   }
   const VideoMode mode = plan_shot(options).tube.mode;
   Workers workers(options.common.threads);
-  const auto feed =
-      open_feed(options.display, {mode.horizontal.active, mode.vertical.active}, workers);
+  auto feed = open_feed(options.display, {mode.horizontal.active, mode.vertical.active}, workers);
   const DisplayPlan plan = plan_display_film(options, feed->facts());
   check_memory(plan, feed->facts(), options.display.input);
   const bool wants_window =
       options.picture.output.empty() && !options.common.headless && !options.common.json;
-  if (wants_window && feed->facts().still && Presenter::available()) {
-    return show_picture(options, plan, *feed, workers);
+  if (wants_window && Presenter::available()) {
+    return run_film_window(options, plan, std::move(feed));
   }
   const std::string output = output_of(options, plan.several());
   film_feed(options, *feed, plan, output, workers);

@@ -14,21 +14,22 @@ struct Entry {
   std::string help;
 };
 
-std::vector<Entry> entries(const DemoInfo& info, const Demo& demo) {
+std::vector<Entry> entries(const DemoInfo& info, std::span<const Knob> knobs) {
   std::vector<Entry> list = {{{}, std::string(info.name)}};
   if (!info.mouse.empty()) list.push_back({{"mouse"}, std::string(info.mouse)});
-  for (const Knob& knob : demo.knobs()) list.push_back({knob.keys, knob.help});
-  const std::vector<Entry> shared = {{{}, "time"},
-                                     {{"Space"}, "pause and go on"},
-                                     {{".", ","}, "one step forward, one step back"},
-                                     {{"[", "]"}, "slow time down to 1/100000, and up again"},
-                                     {{}, "window"},
-                                     {{"Tab"}, "the panel of knobs"},
-                                     {{"?"}, "these keys"},
+  for (const Knob& knob : knobs) list.push_back({knob.keys, knob.help});
+  const std::vector<Entry> time = {{{}, "time"},
+                                   {{"Space"}, "pause and go on"},
+                                   {{".", ","}, "one step forward, one step back"},
+                                   {{"[", "]"}, "slow time down to 1/100000, and up again"},
+                                   {{}, "window"}};
+  const std::vector<Entry> window = {{{"?"}, "these keys"},
                                      {{"S"}, "save the picture here as a PNG file"},
                                      {{"F11"}, "full screen"},
-                                     {{"Escape"}, "leave full screen, then the demo"}};
-  list.insert(list.end(), shared.begin(), shared.end());
+                                     {{"Escape"}, "leave full screen, then the window"}};
+  list.insert(list.end(), time.begin(), time.end());
+  list.push_back({{"Tab"}, knobs.empty() ? "the line of state" : "the panel of knobs"});
+  list.insert(list.end(), window.begin(), window.end());
   return list;
 }
 
@@ -69,11 +70,12 @@ Layer draw(const std::vector<Entry>& list, const Studio& studio, float scale) {
 
 }  // namespace
 
-void Help::lay(const DemoInfo& info, const Demo& demo, const Studio& studio, Image<Srgb8>& frame) {
+void Help::lay(const DemoInfo& info, std::span<const Knob> knobs, const Studio& studio,
+               Image<Srgb8>& frame) {
   if (layer_.image.empty() || frame_width_ != frame.width() || frame_height_ != frame.height()) {
     frame_width_ = frame.width();
     frame_height_ = frame.height();
-    const std::vector<Entry> list = entries(info, demo);
+    const std::vector<Entry> list = entries(info, knobs);
     // A long list shrinks to fit.
     const float natural = static_cast<float>(list.size() + 2) * theme::kBody * 1.85f;
     const float room = static_cast<float>(frame.height()) * 0.94f / natural;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <span>
+
 #include "demos/demo.h"
 #include "demos/ui/layer.h"
 
@@ -11,7 +13,9 @@ namespace kinescope {
 
 class Help {
  public:
-  void lay(const DemoInfo& info, const Demo& demo, const Studio& studio, Image<Srgb8>& frame);
+  /// @param knobs may be none: then there is no panel
+  void lay(const DemoInfo& info, std::span<const Knob> knobs, const Studio& studio,
+           Image<Srgb8>& frame);
 
  private:
   int frame_width_ = 0, frame_height_ = 0;

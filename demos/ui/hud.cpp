@@ -34,7 +34,7 @@ void Hud::draw(const Studio& studio, int, int height) {
     words.emplace_back(fmt::format("{} frames/s", content_.frames_per_second), theme::kDim);
   }
   if (content_.message.empty()) {
-    words.emplace_back("Tab knobs", theme::kDim);
+    words.emplace_back(content_.has_knobs ? "Tab knobs" : "Tab hides this", theme::kDim);
     words.emplace_back("? keys", theme::kDim);
   } else {
     words.emplace_back(content_.message, theme::kAccent);

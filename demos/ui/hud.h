@@ -15,6 +15,7 @@ class Hud {
     int frames_per_second = 0;
     bool paused = false;
     std::string message;  ///< for a short while: what was just saved
+    bool has_knobs = true;
     bool operator==(const Content&) const = default;
   };
   void lay(const Content& content, const Studio& studio, Image<Srgb8>& frame);

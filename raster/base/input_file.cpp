@@ -1,6 +1,7 @@
 #include "raster/base/input_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,6 +16,7 @@ namespace kinescope {
 namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 16;
+constexpr int kPatience_ms = 50;  // until it is asked again whether anybody still waits
 
 }  // namespace
 
@@ -35,7 +37,18 @@ void InputFile::fail() const {
   throw_bad_input(std::string("cannot be read: ") + std::strerror(errno), name_);
 }
 
+/// @return false if interrupted
+bool InputFile::wait_for_bytes() const {
+  pollfd asked{descriptor_, POLLIN, 0};
+  while (!interrupted_) {
+    // What poll cannot tell, read will.
+    if (poll(&asked, 1, kPatience_ms) != 0) return true;
+  }
+  return false;
+}
+
 std::size_t InputFile::read_some(std::uint8_t* to, std::size_t count) {
+  if (!wait_for_bytes()) return 0;
   ssize_t got;
   do {
     got = ::read(descriptor_, to, count);

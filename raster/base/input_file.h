@@ -1,6 +1,7 @@
 // A file, or standard input, read once from its beginning.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -32,11 +33,14 @@ class InputFile {
   /// Appends the next `count` bytes, fewer if the file ends. Memory grows with what arrives, not
   /// with `count`. @return how many
   std::size_t append_to(std::vector<std::uint8_t>& bytes, std::size_t count);
+  /// From any thread: whoever waits for bytes is told that the file has ended.
+  void interrupt() { interrupted_ = true; }
   /// All that is left. @throws Error (bad input) if that is more than max_bytes
   std::vector<std::uint8_t> rest(std::size_t max_bytes);
 
  private:
   bool fill();
+  bool wait_for_bytes() const;
   void take(std::size_t count);
   std::size_t read_some(std::uint8_t* to, std::size_t count);
   [[noreturn]] void fail() const;
@@ -47,6 +51,7 @@ class InputFile {
   std::vector<std::uint8_t> storage_;
   std::span<const std::uint8_t> ahead_;  // read, not yet taken
   std::uint64_t position_ = 0;
+  std::atomic<bool> interrupted_ = false;
 };
 
 /// The whole of a file, or of standard input for "-".

@@ -5,28 +5,11 @@
 
 #include <cmath>
 
+#include "counting_feed.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
 namespace {
-
-/// Pictures whose grey is their number.
-class CountingFeed : public PictureFeed {
- public:
-  CountingFeed(int count, Size size, bool still = false) : count_(count) {
-    facts_.size = size;
-    facts_.still = still;
-  }
-  bool next(Image<Srgb8>& picture) override {
-    if (shown_ == count_) return false;
-    const auto grey = static_cast<std::uint8_t>(shown_++);
-    picture = Image<Srgb8>(facts_.size.width, facts_.size.height, {grey, grey, grey, 255});
-    return true;
-  }
-
- private:
-  int count_, shown_ = 0;
-};
 
 class RefreshFeedTest : public ::testing::Test {
  protected:

@@ -79,7 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Golden{"test-patterns", "test-patterns", 5, "0 key m\n"},
                       Golden{"tube", "tube", 5, "0 key F5\n0 key d\n0 key d\n0 key m\n0 key j\n"},
                       Golden{"tube-close", "tube", 5, "0 key z\n0 key z\n"},
-                      Golden{"masks", "masks", 3, ""}, Golden{"sync", "sync", 30, ""}),
+                      Golden{"masks", "masks", 3, ""}, Golden{"sync", "sync", 30, ""},
+                      Golden{"light-pen-raster", "light-pen-raster", 40, ""}),
     [](const auto& golden) {
       std::string name = golden.param.file;
       std::erase(name, '-');

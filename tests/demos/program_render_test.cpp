@@ -1,4 +1,4 @@
-// `kinescope render` and `demo` from outside: what comes out, and that it is always the same.
+// `kinescope render` from outside: what comes out, and that it is always the same.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,8 +9,7 @@
 #include <set>
 
 #include "raster/base/simd.h"
-#include "raster/image/codecs.h"
-#include "tests/demos/program_run.h"
+#include "tests/demos/program_render.h"
 
 namespace kinescope::test {
 namespace {
@@ -19,46 +18,6 @@ using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-/// A folder with model.obj in it, to render in.
-class ProgramRender : public ::testing::Test {
- protected:
-  ProgramRender() { write_text(folder_ / "model.obj", cube_obj()); }
-  RunResult run(std::vector<std::string> more) const {
-    std::vector<std::string> arguments{"render", "model.obj"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const RunResult result = run_kinescope(arguments, {.folder = folder_.path()});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    return result;
-  }
-  json figures(std::vector<std::string> more) const {
-    more.push_back("--json");
-    return json::parse(run(std::move(more)).out);
-  }
-  Image<Srgb8> picture(std::vector<std::string> more) const {
-    more.insert(more.end(), {"-o", "picture.png"});
-    run(std::move(more));
-    return read_image_file(folder_ / "picture.png");
-  }
-  TemporaryFolder folder_;
-};
-
-double brightness(Srgb8 c) { return (c.r + c.g + c.b) / 3.0; }
-
-double mean_brightness(const Image<Srgb8>& picture) {
-  double sum = 0;
-  for (const Srgb8 c : picture.pixels()) sum += brightness(c);
-  return sum / static_cast<double>(picture.pixels().size());
-}
-
-/// Mean over the pixels of how far the brightness is apart.
-double difference(const Image<Srgb8>& a, const Image<Srgb8>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    sum += std::abs(brightness(a.pixels()[i]) - brightness(b.pixels()[i]));
-  }
-  return sum / static_cast<double>(a.pixels().size());
-}
 
 TEST_F(ProgramRender, BarePictureShowsALitCubeOnBlack) {
   const Image<Srgb8> p = picture({"--display", "none", "--size", "320x240"});
@@ -216,82 +175,6 @@ TEST_F(ProgramRender, SixteenBitPng) {
   }
 }
 
-TEST_F(ProgramRender, FilmOfNumberedPictures) {
-  run({"--display", "none", "--size", "32x24", "--frames", "8-10", "-o", "f_###.png"});
-  EXPECT_THAT(folder_.files(), ElementsAre("f_008.png", "f_009.png", "f_010.png", "model.obj"));
-}
-
-TEST_F(ProgramRender, RangeOfABareFilmIsPartOfTheWhole) {
-  const std::vector<std::string> common{"--display", "none", "--size", "64x48", "--frames"};
-  auto whole = common, part = common;
-  whole.push_back("6");
-  part.push_back("4-5");
-  const json all = figures(whole)["frames"], some = figures(part)["frames"];
-  ASSERT_EQ(all.size(), 6u);
-  ASSERT_EQ(some.size(), 2u);
-  EXPECT_EQ(all[4], some[0]);
-  EXPECT_EQ(all[5], some[1]);
-  EXPECT_NE(all[4]["colour_hash"], all[5]["colour_hash"]);
-}
-
-TEST_F(ProgramRender, TurntableIsOneTurn) {
-  // A wedge looks different from every side.
-  write_text(folder_ / "model.obj",
-             "v 0 0 0\nv 3 0 0\nv 0 0 2\nv 0 1 0\nv 3 2 0\n"
-             "f 1 2 3\nf 1 3 4\nf 2 5 3\nf 3 5 4\nf 1 4 5 2\n");
-  const std::vector<std::string> common{"--display", "none", "--size", "96x72", "--frames"};
-  auto turntable = common;
-  turntable.insert(turntable.end(), {"8", "--turntable", "-o", "t#.png"});
-  run(turntable);
-  const auto frame = [&](int k) {
-    return read_image_file(folder_ / ("t" + std::to_string(k) + ".png"));
-  };
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    // Two frames, so that the camera keeps the distance that a turn needs; the first is not turned.
-    auto still = common;
-    still.insert(still.end(),
-                 {"2", "--azimuth", std::to_string(34 + 90 * quarter), "-o", "s#.png"});
-    run(still);
-    const Image<Srgb8> want = read_image_file(folder_ / "s0.png");
-    for (int k = 0; k < 8; ++k) {
-      const double apart = difference(frame(k), want);
-      EXPECT_EQ(apart < 0.5, k == 2 * quarter) << apart << " at frame " << k << ", " << quarter;
-    }
-  }
-}
-
-TEST_F(ProgramRender, AnyFilmTurnsOnceInSixSeconds) {
-  run({"--display", "none", "--size", "64x48", "--fps", "1", "--frames", "7", "-o", "f#.png"});
-  const auto frame = [&](const char* name) { return read_image_file(folder_ / name); };
-  EXPECT_LT(difference(frame("f0.png"), frame("f6.png")), 0.1);
-  EXPECT_GT(difference(frame("f0.png"), frame("f1.png")), 1);
-}
-
-TEST_F(ProgramRender, FilmOnTheTubeHasItsRefreshRate) {
-  const RunResult film = run({"--size", "64x48", "--frames", "2", "-o", "-"});
-  EXPECT_THAT(film.out, StartsWith("YUV4MPEG2 W64 H48 F5035:84 ")) << film.out.substr(0, 60);
-}
-
-TEST_F(ProgramRender, FfprobeReadsTheFilm) {
-  if (run_shell("command -v ffprobe").exit_code != 0) {
-    if (std::getenv("KINESCOPE_REQUIRE_DATA")) FAIL() << "ffprobe is required";
-    GTEST_SKIP() << "ffprobe is not here (scripts/setup installs it)";
-  }
-  const RunResult probe = run_shell(
-      "kinescope render model.obj --size 64x48 --frames 3 --fps 30 --display none -o - | ffprobe "
-      "-v error -count_frames -show_entries "
-      "stream=width,height,r_frame_rate,nb_read_frames -of csv=p=0 -",
-      {.folder = folder_.path()});
-  EXPECT_EQ(probe.exit_code, 0) << probe.err;
-  EXPECT_EQ(probe.out, "64,48,30/1,3\n");
-}
-
-TEST_F(ProgramRender, RawIsThreeBytesAPixel) {
-  const RunResult raw =
-      run({"--display", "none", "--size", "20x10", "--frames", "2", "--format", "raw", "-o", "-"});
-  EXPECT_EQ(raw.out.size(), 20u * 10 * 3 * 2);
-}
-
 TEST_F(ProgramRender, SeveralModelsStandSideBySide) {
   write_text(
       folder_ / "tall.off",
@@ -377,35 +260,6 @@ TEST_F(ProgramRender, GreatestPictureWithinBoundedMemory) {
   }
 }
 #endif
-
-TEST(ProgramDemo, AloneWithoutADisplayWritesTheTeapot) {
-  TemporaryFolder folder;
-  const RunResult run = run_kinescope({}, {.folder = folder.path()});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("out/teapot.png"));
-  const Image<Srgb8> p = read_image_file(folder / "out/teapot.png");
-  EXPECT_EQ(p.width(), 1280);
-  EXPECT_GT(mean_brightness(p), 5);
-}
-
-TEST(ProgramDemo, FramesFollowTheSeedAndTheScriptAndNothingElse) {
-  TemporaryFolder folder;
-  write_text(folder / "script.txt", "2 drag 100 100 160 110 4\n");
-  const std::vector<std::string> common{"demo", "teapot", "--size", "320x240", "--frames",
-                                        "0-7",  "--json", "-o",     "film.y4m"};
-  auto scripted = common, one = common;
-  one.insert(one.end(), {"--threads", "1"});
-  scripted.insert(scripted.end(), {"--script", "script.txt"});
-  const auto hashes = [&](const std::vector<std::string>& arguments) {
-    const RunResult run = run_kinescope(arguments, {.folder = folder.path()});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return json::parse(run.out)["picture_hashes"];
-  };
-  const json plain = hashes(common);
-  EXPECT_EQ(plain.size(), 8u);
-  EXPECT_EQ(plain, hashes(one));
-  EXPECT_NE(plain, hashes(scripted));
-}
 
 }  // namespace
 }  // namespace kinescope::test

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -39,6 +40,7 @@ Child::Child(const std::vector<std::string>& command, const std::vector<std::str
   std::vector<char*> arguments = pointers(command);
   pid_ = fork();
   if (pid_ != 0) return;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that crashes leaves no server behind
   for (const std::string& entry : environment) putenv(strdup(entry.c_str()));
   if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(126);
   const int null = open("/dev/null", O_RDWR);
