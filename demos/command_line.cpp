@@ -240,6 +240,38 @@ void add_display_command(CLI::App& app, Options& options) {
   add_common(app, options.common);
 }
 
+void add_vector_command(CLI::App& app, Options& options) {
+  VectorRequest& request = options.vector;
+  app.add_option("IN", request.input,
+                 "a Tektronix 4010 or 4014 stream, HP-GL, SVG or stereo WAV, or - for standard "
+                 "input")
+      ->type_name("");
+  std::vector<std::string> kinds{"auto"};
+  for (const std::string_view name : vector_kind_names()) kinds.emplace_back(name);
+  add_choice(app, "--kind", kinds, "what the input is (default: auto, by its content)",
+             [&request](std::size_t i) {
+               request.kind.reset();
+               if (i > 0) request.kind = static_cast<VectorKind>(i - 1);
+             });
+  add(app, "-o", "OUT", "NAME.png, NAME.svg, or - for standard output",
+      [&](const std::string& text, const std::string& option) {
+        if (text.empty()) throw Error(ErrorKind::kUsage, "the name is empty", option);
+        options.picture.output = text;
+      });
+  const std::vector<std::string> formats{"png", "svg"};
+  add_choice(app, "--format", formats, "what -o holds, whatever its name",
+             [&options, formats](std::size_t i) { options.picture.format = formats[i]; });
+  add_size(app, options.picture);
+  app.add_flag("--segments", request.segments,
+               "print what was decoded, x1 y1 x2 y2 intensity a line, in device units");
+  app.add_flag("--texts", request.texts, "print the characters, x y height degrees text a line");
+  add(app, "--page", "N", "which page, from 0 (default: the last that holds anything)",
+      [&](const std::string& text, const std::string& option) {
+        request.page = parse_whole(text, option, 0, std::numeric_limits<int>::max());
+      });
+  add_common(app, options.common);
+}
+
 constexpr const char* kGalleryExamples = R"(Examples:
   kinescope                            the gallery of demos, in a window
   kinescope --headless                 the first demo's picture in out/
@@ -271,6 +303,12 @@ Examples:
   kinescope display pattern:smpte-bars --mode ntsc -o bars.png
   kinescope display film.y4m --fps 240 --shutter 1/240 -o slices.y4m
   kinescope display pattern:crosshatch --mode 240p --shutter 1/4000 -o lines.png)";
+
+constexpr const char* kVectorExamples = R"(Without -o the picture goes to out/.
+Examples:
+  gnuplot -e 'set term tek40xx; plot sin(x)' | kinescope vector - -o plot.png
+  kinescope vector plot.hpgl -o plot.svg
+  kinescope vector drawing.svg --segments)";
 
 constexpr const char* kTimingExamples =
     R"(MODE is a name such as 640x480@60, gtf:WxH@HZ, cvt:WxH@HZ, cvtrb:WxH@HZ, or a Modeline.
@@ -311,6 +349,9 @@ class Grammar {
     add_display_command(command("display", "a picture or a film through a raster tube",
                                 Command::kDisplay, kDisplayExamples),
                         options);
+    add_vector_command(command("vector", "plots and drawings, stroke by stroke", Command::kVector,
+                               kVectorExamples),
+                       options);
     CLI::App& timing = command("timing",
                                "a video mode: every interval in pixels, lines and "
                                "microseconds",
