@@ -264,7 +264,8 @@ void add_vector_command(CLI::App& app, Options& options) {
   add_size(app, options.picture);
   app.add_flag("--segments", request.segments,
                "print what was decoded, x1 y1 x2 y2 intensity a line, in device units");
-  app.add_flag("--texts", request.texts, "print the characters, x y height degrees text a line");
+  app.add_flag("--texts", request.texts,
+               "print the characters: place, advance, height as x y pairs, and the text, a line");
   add(app, "--page", "N", "which page, from 0 (default: the last that holds anything)",
       [&](const std::string& text, const std::string& option) {
         request.page = parse_whole(text, option, 0, std::numeric_limits<int>::max());
