@@ -266,6 +266,8 @@ void add_vector_command(CLI::App& app, Options& options) {
                "print what was decoded, x1 y1 x2 y2 intensity a line, in device units");
   app.add_flag("--texts", request.texts,
                "print the characters: place, advance, height as x y pairs, and the text, a line");
+  app.add_flag("--pty", request.pty,
+               "be a terminal: print its name, and show what programs draw on it");
   add(app, "--page", "N", "which page, from 0 (default: the last that holds anything)",
       [&](const std::string& text, const std::string& option) {
         request.page = parse_whole(text, option, 0, std::numeric_limits<int>::max());
@@ -305,11 +307,13 @@ Examples:
   kinescope display film.y4m --fps 240 --shutter 1/240 -o slices.y4m
   kinescope display pattern:crosshatch --mode 240p --shutter 1/4000 -o lines.png)";
 
-constexpr const char* kVectorExamples = R"(Without -o the picture goes to out/.
+constexpr const char* kVectorExamples =
+    R"(Without -o a window opens. gnuplot draws on a --pty by set output "/dev/pts/N".
 Examples:
   gnuplot -e 'set term tek40xx; plot sin(x)' | kinescope vector - -o plot.png
   kinescope vector plot.hpgl -o plot.svg
-  kinescope vector drawing.svg --segments)";
+  kinescope vector drawing.svg --segments
+  kinescope vector --pty)";
 
 constexpr const char* kTimingExamples =
     R"(MODE is a name such as 640x480@60, gtf:WxH@HZ, cvt:WxH@HZ, cvtrb:WxH@HZ, or a Modeline.
