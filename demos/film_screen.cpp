@@ -112,6 +112,7 @@ float FilmScreen::gain(Seconds exposure) const {
 bool FilmScreen::expose() {
   if (!feed_.at_hand(pictures_a_step_)) {
     ++ticks_waited_;
+    owes_step_ = transport_.paused();
     if (message_.empty() && ticks_waited_ * pace_.tick > kPatience) say(kWaiting);
     return false;
   }
@@ -132,15 +133,16 @@ bool FilmScreen::expose() {
 /// At full speed, slices with black between them.
 bool FilmScreen::step() {
   const bool full_speed = transport_.time_scale() == 1 && !transport_.paused();
-  const bool is_black = full_speed && ++ticks_ % pace_.ticks != 0 && !history_.empty();
+  const bool is_black = full_speed && !history_.empty() && ticks_ + 1 < pace_.ticks;
   const bool was_black = std::exchange(black_, is_black);
-  if (is_black) return !was_black;
-  return expose() || was_black;
+  ticks_ = is_black ? ticks_ + 1 : 0;
+  return is_black ? !was_black : expose() || was_black;
 }
 
 bool FilmScreen::move() {
   switch (transport_.next()) {
     case Move::kNone:
+      if (std::exchange(owes_step_, false)) return step();
       return std::exchange(black_, false);
     case Move::kForward:
       return history_.forward() || step();

@@ -58,12 +58,13 @@ class FilmScreen : public Screen {
   std::optional<TubeCamera> camera_;
   Transport transport_;
   PictureHistory history_;
-  Image<Srgb8> picture_;  // the latest
-  Size size_;             // that pictures should have
-  int ticks_ = 0;         // since the last picture
-  int ticks_waited_ = 0;  // for the film
-  bool black_ = false;    // between slices
-  bool kept_ = false;     // the last picture is still in picture_
+  Image<Srgb8> picture_;    // the latest
+  Size size_;               // that pictures should have
+  int ticks_ = 0;           // since the last picture
+  int ticks_waited_ = 0;    // for the film
+  bool owes_step_ = false;  // one that was asked for while the film did not come
+  bool black_ = false;      // between slices
+  bool kept_ = false;       // the last picture is still in picture_
   Help help_;
   Hud hud_;
   bool show_help_ = false, show_state_ = true;

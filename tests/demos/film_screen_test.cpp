@@ -162,6 +162,37 @@ TEST_F(FilmScreenTest, AStillPictureCostsNothingOnceItIsSteady) {
   EXPECT_EQ(drawn, 0);
 }
 
+/// A feed that gives its pictures when it is told to.
+class SlowFeed : public CountingFeed {
+ public:
+  explicit SlowFeed(std::atomic<int>& given)
+      : CountingFeed(10, {64, 48}, false, 20), given_(given) {}
+  bool next(Image<Srgb8>& picture) override {
+    while (shown_ >= given_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ++shown_;
+    return CountingFeed::next(picture);
+  }
+
+ private:
+  std::atomic<int>& given_;
+  int shown_ = 0;
+};
+
+TEST_F(FilmScreenTest, AStepThatTheFilmIsTooSlowForIsTakenLater) {
+  std::atomic<int> given = 3;
+  open(small_plan(kSixty), std::make_unique<SlowFeed>(given));
+  next();
+  press("Space");
+  press(".");
+  for (int i = 0; i < 5; ++i) screen_->tick(60);
+  EXPECT_EQ(number(), 0);
+  given = 100;
+  next();
+  EXPECT_EQ(number(), 1);
+  for (int i = 0; i < 5; ++i) screen_->tick(60);
+  EXPECT_EQ(number(), 1);
+}
+
 /// A feed that fails after some pictures.
 class FaultyFeed : public CountingFeed {
  public:
