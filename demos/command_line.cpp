@@ -46,6 +46,9 @@ class Grammar {
     add_display_command(command("display", "a picture or a film through a raster tube",
                                 Command::kDisplay, kDisplayExamples),
                         options);
+    add_vector_command(command("vector", "plots and drawings, stroke by stroke", Command::kVector,
+                               kVectorExamples),
+                       options);
     CLI::App& timing = command("timing",
                                "a video mode: every interval in pixels, lines and "
                                "microseconds",

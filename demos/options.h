@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "demos/picture.h"
+#include "display/vector/input/read_vectors.h"
 #include "raster/base/units.h"
 #include "raster/image/video.h"
 #include "shading/surface.h"
@@ -83,13 +84,22 @@ struct DisplayRequest {
   bool list_presets = false;
 };
 
+/// What `vector` alone takes.
+struct VectorRequest {
+  std::string input;                     ///< a file, or - for standard input
+  std::optional<VectorKind> kind;        ///< none: by its content
+  std::optional<int> page;               ///< from 0; none: the last that holds anything
+  bool segments = false, texts = false;  ///< print them
+  bool pty = false;                      ///< the input is a terminal that programs draw on
+};
+
 /// What `demo` alone takes.
 struct DemoRequest {
   std::string name;
   std::string script;  ///< a file of inputs, or empty
 };
 
-enum class Command { kGallery, kList, kDemo, kRender, kDisplay, kTiming };
+enum class Command { kGallery, kList, kDemo, kRender, kDisplay, kVector, kTiming };
 
 struct Options {
   Command command = Command::kGallery;
@@ -97,6 +107,7 @@ struct Options {
   PictureOptions picture;
   RenderOptions render;
   DisplayRequest display;
+  VectorRequest vector;
   DemoRequest demo;
   std::string mode;  ///< what `timing` explains
 };

@@ -32,6 +32,8 @@ Entry entry_of(Command command) {
       return {"render ", run_render};
     case Command::kDisplay:
       return {"display ", run_display};
+    case Command::kVector:
+      return {"vector ", run_vector};
     case Command::kTiming:
       return {"timing ", run_timing};
   }

@@ -10,6 +10,7 @@ int run_list(const Options& options);
 int run_demo(const Options& options);
 int run_render(const Options& options);
 int run_display(const Options& options);
+int run_vector(const Options& options);
 int run_timing(const Options& options);
 
 }  // namespace kinescope

@@ -205,13 +205,13 @@ void TekReader::character(std::uint8_t byte) {
     move({margin_x(), beam_.y});
     line_feed();
   }
-  if (text_.text.empty()) {
+  if (text_.text.empty() && byte != ' ') {
     text_.place = beam_;
     text_.advance = glm::vec2(size.width, 0);
     text_.up = glm::vec2(0, kCapitalShare * static_cast<float>(size.height));
     text_.segments = out_->segments.size();
   }
-  text_.text += static_cast<char>(byte);
+  if (byte != ' ' || !text_.text.empty()) text_.text += static_cast<char>(byte);
   beam_.x += size.width;
 }
 
