@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include "demos/commands/commands.h"
+#include "demos/console.h"
+#include "demos/film.h"
+#include "demos/json.h"
+#include "display/vector/input/read_vectors.h"
+#include "display/vector/input/strokes_picture.h"
+#include "display/vector/input/write_svg.h"
+#include "raster/base/error.h"
+#include "raster/base/output_file.h"
+
+namespace kinescope {
+namespace {
+
+/// Numbers as they are, the shortest that read back the same.
+void print_segments(const VectorDrawing& drawing) {
+  OutputFile out("-");
+  fmt::memory_buffer text;
+  constexpr std::size_t kBlock = 1 << 16;
+  for (const VectorSegment& s : drawing.segments) {
+    fmt::format_to(std::back_inserter(text), "{} {} {} {} {}\n", s.x1, s.y1, s.x2, s.y2,
+                   s.intensity);
+    if (text.size() < kBlock) continue;
+    out.write(fmt::to_string(text));
+    text.clear();
+  }
+  out.write(fmt::to_string(text));
+  out.commit();
+}
+
+/// "x y height degrees text" a line; control characters as spaces.
+void print_texts(const VectorDrawing& drawing) {
+  std::string lines;
+  for (const DrawnText& t : drawing.texts) {
+    std::string shown = t.text;
+    std::replace_if(
+        shown.begin(), shown.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
+    const float degrees = std::atan2(t.advance.y, t.advance.x) * 180 / 3.14159265f;
+    lines += fmt::format("{} {} {:.6g} {:.6g} {}\n", t.place.x, t.place.y,
+                         std::hypot(t.up.x, t.up.y), degrees, shown);
+  }
+  print_result(lines);
+}
+
+void print_figures(const Options& options, const VectorDrawing& drawing, std::size_t page_count) {
+  JsonWriter json;
+  json.begin_object().member("input", options.vector.input);
+  json.member("segments", static_cast<std::uint64_t>(drawing.segments.size()));
+  json.member("texts", static_cast<std::uint64_t>(drawing.texts.size()));
+  json.member("pages", static_cast<std::uint64_t>(page_count));
+  json.member("width_units", static_cast<double>(drawing.size.x));
+  json.member("height_units", static_cast<double>(drawing.size.y));
+  print_result(json.end_object().text());
+}
+
+/// What the screen shows at the end, or the page that was asked for.
+VectorDrawing shown_page(const Options& options, std::vector<VectorDrawing> all,
+                         const std::string& name) {
+  if (all.empty()) throw_bad_input("draws nothing", name);
+  const std::size_t last = all.size() - 1;
+  const auto wanted =
+      static_cast<std::size_t>(options.vector.page.value_or(static_cast<int>(last)));
+  if (wanted > last) {
+    throw Error(ErrorKind::kUsage,
+                fmt::format("the input has {} pages, counted from 0", all.size()), "--page");
+  }
+  return std::move(all[wanted]);
+}
+
+bool wants_svg(const Options& options, const std::string& output) {
+  if (!options.picture.format.empty()) return options.picture.format == "svg";
+  return std::filesystem::path(output).extension() == ".svg";
+}
+
+void write_picture(const Options& options, const VectorDrawing& drawing,
+                   const std::string& output) {
+  check_writable(output);
+  if (wants_svg(options, output)) return write_svg(output, drawing);
+  if (film_format(output, options.picture.format, false) != FilmFormat::kPng) {
+    throw Error(ErrorKind::kUsage, output + ": a drawing becomes a .png or a .svg", "-o");
+  }
+  const Size size = options.picture.size.value_or(Size{1280, 960});
+  check_memory(size, 24.0 * size.width * size.height);
+  Workers workers(options.common.threads);
+  write_png(output, strokes_picture(drawing, size.width, size.height, workers));
+}
+
+std::string stem_of(const std::string& input) {
+  return input == "-" ? "vector" : std::filesystem::path(input).stem().string();
+}
+
+}  // namespace
+
+int run_vector(const Options& options) {
+  const VectorRequest& request = options.vector;
+  InputFile input(request.input);
+  const VectorDrawing drawing = read_vectors(input, request.kind);
+  if (request.segments) print_segments(drawing);
+  if (request.texts) print_texts(drawing);
+  std::string output = options.picture.output;
+  std::vector<VectorDrawing> all = pages(drawing);
+  if (options.common.json) print_figures(options, drawing, all.size());
+  const bool printed = request.segments || request.texts || options.common.json;
+  if (output.empty() && printed) return 0;
+  const VectorDrawing page = shown_page(options, std::move(all), input.name());
+  if (output.empty()) output = output_in_out(stem_of(request.input), false);
+  write_picture(options, page, output);
+  if (options.picture.output.empty()) print_remark("wrote " + output, options.common.quiet);
+  return 0;
+}
+
+}  // namespace kinescope
