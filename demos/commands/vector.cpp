@@ -33,16 +33,15 @@ void print_segments(const VectorDrawing& drawing) {
   out.commit();
 }
 
-/// "x y height degrees text" a line; control characters as spaces.
+/// "x y advance_x advance_y up_x up_y text" a line; control characters as spaces.
 void print_texts(const VectorDrawing& drawing) {
   std::string lines;
   for (const DrawnText& t : drawing.texts) {
     std::string shown = t.text;
     std::replace_if(
         shown.begin(), shown.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
-    const float degrees = std::atan2(t.advance.y, t.advance.x) * 180 / 3.14159265f;
-    lines += fmt::format("{} {} {:.6g} {:.6g} {}\n", t.place.x, t.place.y,
-                         std::hypot(t.up.x, t.up.y), degrees, shown);
+    lines += fmt::format("{} {} {:.6g} {:.6g} {:.6g} {:.6g} {}\n", t.place.x, t.place.y,
+                         t.advance.x, t.advance.y, t.up.x, t.up.y, shown);
   }
   print_result(lines);
 }
@@ -99,7 +98,9 @@ std::string stem_of(const std::string& input) {
 int run_vector(const Options& options) {
   const VectorRequest& request = options.vector;
   InputFile input(request.input);
-  const VectorDrawing drawing = read_vectors(input, request.kind);
+  Warnings warnings;
+  const VectorDrawing drawing = read_vectors(input, request.kind, &warnings);
+  print_warnings(warnings, options.common.quiet);
   if (request.segments) print_segments(drawing);
   if (request.texts) print_texts(drawing);
   std::string output = options.picture.output;

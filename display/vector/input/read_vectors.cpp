@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 
+#include "display/vector/input/hpgl_reader.h"
 #include "display/vector/input/tek_reader.h"
 #include "raster/base/error.h"
 
@@ -94,11 +95,13 @@ VectorDrawing read_tek_stream(InputFile& input) {
 
 }  // namespace
 
-VectorDrawing read_vectors(InputFile& input, std::optional<VectorKind> kind) {
+VectorDrawing read_vectors(InputFile& input, std::optional<VectorKind> kind, Warnings* warnings) {
   if (!kind) kind = kind_of(input);
   switch (*kind) {
     case VectorKind::kTek:
       return read_tek_stream(input);
+    case VectorKind::kHpgl:
+      return read_hpgl(input.rest(kMostBytes), input.name(), warnings);
     default:
       throw_bad_input("this kind cannot be read yet", input.name());
   }

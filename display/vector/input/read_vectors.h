@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "display/vector/input/drawing.h"
+#include "raster/base/error.h"
 #include "raster/base/input_file.h"
 
 namespace kinescope {
@@ -25,7 +26,9 @@ std::optional<VectorKind> recognise_vectors(std::span<const std::uint8_t> first_
 inline constexpr std::size_t kRecogniseBytes = 4096;
 
 /// All of an input. @param kind none: by its content
+/// @param warnings if given, receives what could be worked around
 /// @throws Error (bad input)
-VectorDrawing read_vectors(InputFile& input, std::optional<VectorKind> kind);
+VectorDrawing read_vectors(InputFile& input, std::optional<VectorKind> kind,
+                           Warnings* warnings = nullptr);
 
 }  // namespace kinescope
