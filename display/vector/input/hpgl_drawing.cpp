@@ -84,16 +84,18 @@ void bezier(HpglPlotter& p, const Numbers& n, bool is_relative) {
 void bezier_absolute(HpglPlotter& p, const Numbers& n) { bezier(p, n, false); }
 void bezier_relative(HpglPlotter& p, const Numbers& n) { bezier(p, n, true); }
 
+/// From the pen to the opposite corner; more pairs give more rectangles from there.
 void rectangle(HpglPlotter& p, const Numbers& n, bool is_relative, bool filled) {
-  if (n.size() < 2) return;
-  const glm::dvec2 a = p.pen, b = target(p, n, 0, is_relative);
   p.dot_due = false;
-  const std::vector<HpglContour> box{
-      {{a, {a.x, b.y}, b, {b.x, a.y}, a}, {false, true, true, true, true}}};
-  if (filled) {
-    hpgl_fill(p, box);
-  } else {
-    hpgl_outline(p, box);
+  for (std::size_t i = 0; i + 1 < n.size(); i += 2) {
+    const glm::dvec2 a = p.pen, b = target(p, n, i, is_relative);
+    const std::vector<HpglContour> box{
+        {{a, {a.x, b.y}, b, {b.x, a.y}, a}, {false, true, true, true, true}}};
+    if (filled) {
+      hpgl_fill(p, box);
+    } else {
+      hpgl_outline(p, box);
+    }
   }
 }
 void edge_absolute(HpglPlotter& p, const Numbers& n) { rectangle(p, n, false, false); }
@@ -139,6 +141,7 @@ void polygon_mode(HpglPlotter& p, const Numbers& n) {
   }
 }
 void edge_polygon(HpglPlotter& p, const Numbers&) { hpgl_outline(p, p.polygon); }
+/// Even-odd also for FP1, which asks for winding: so does hp2xx.
 void fill_polygon(HpglPlotter& p, const Numbers&) { hpgl_fill(p, p.polygon); }
 
 void character_plot(HpglPlotter& p, const Numbers& n) {
@@ -148,7 +151,7 @@ void character_plot(HpglPlotter& p, const Numbers& n) {
     hpgl_new_line(p);
   }
 }
-void print_buffer(HpglPlotter& p, const Numbers&) { hpgl_label(p, p.label_buffer); }
+void print_buffer(HpglPlotter& p, const Numbers&) { hpgl_print_buffer(p); }
 
 void tick(HpglPlotter& p, glm::dvec2 way) {
   const glm::dvec2 length = way * glm::abs(p.p2 - p.p1);
@@ -156,40 +159,19 @@ void tick(HpglPlotter& p, glm::dvec2 way) {
 }
 void tick_x(HpglPlotter& p, const Numbers&) { tick(p, {0, 1}); }
 void tick_y(HpglPlotter& p, const Numbers&) { tick(p, {1, 0}); }
-void page(HpglPlotter& p, const Numbers&) { p.out->event(DrawingEvent::Kind::kErase); }
 
 }  // namespace
 
 std::span<const HpglAction> hpgl_drawing_actions() {
   static constexpr HpglAction kActions[] = {
-      {"PU", pen_up},
-      {"PD", pen_down},
-      {"PA", absolute},
-      {"PR", relative},
-      {"AA", arc_absolute},
-      {"AR", arc_relative},
-      {"AT", through_absolute},
-      {"RT", through_relative},
-      {"CI", circle},
-      {"BZ", bezier_absolute},
-      {"BR", bezier_relative},
-      {"EA", edge_absolute},
-      {"ER", edge_relative},
-      {"RA", fill_absolute},
-      {"RR", fill_relative},
-      {"EW", edge_wedge},
-      {"WG", fill_wedge},
-      {"PM", polygon_mode},
-      {"EP", edge_polygon},
-      {"FP", fill_polygon},
-      {"CP", character_plot},
-      {"PB", print_buffer},
-      {"XT", tick_x},
-      {"YT", tick_y},
-      {"PG", page},
-      {"AF", page},
-      {"AH", page},
-      {"FR", page},
+      {"PU", pen_up},           {"PD", pen_down},         {"PA", absolute},
+      {"PR", relative},         {"AA", arc_absolute},     {"AR", arc_relative},
+      {"AT", through_absolute}, {"RT", through_relative}, {"CI", circle},
+      {"BZ", bezier_absolute},  {"BR", bezier_relative},  {"EA", edge_absolute},
+      {"ER", edge_relative},    {"RA", fill_absolute},    {"RR", fill_relative},
+      {"EW", edge_wedge},       {"WG", fill_wedge},       {"PM", polygon_mode},
+      {"EP", edge_polygon},     {"FP", fill_polygon},     {"CP", character_plot},
+      {"PB", print_buffer},     {"XT", tick_x},           {"YT", tick_y},
   };
   return kActions;
 }

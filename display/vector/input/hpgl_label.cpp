@@ -1,6 +1,8 @@
 // Where a plotter sets its characters. Cells: a character's space is 1.5 widths, a line 2 heights.
 // Source: 7550A manual, chapter 7; label origins measured on hp2xx.
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -36,11 +38,12 @@ glm::dvec2 origin_shift(const HpglPlotter& plotter, const Cell& cell, std::size_
   if (origin < 1 || origin > 19 || origin == 10) return glm::dvec2(0);
   const int place = (origin - 1) % 10, column = place / 3, row = place % 3;
   const double n = static_cast<double>(characters);
-  const double length = n > 0 ? n * cell.space - (cell.space - cell.width) : 0;
-  double x = -0.5 * length * column, y = -2.0 / 3 * cell.height * row;
+  const glm::dvec2 size = glm::dvec2(cell.width, cell.height) * (1.0 + plotter.extra_space);
+  const double length = n > 0 ? (1.5 * n - 0.5) * size.x : 0;
+  double x = -0.5 * length * column, y = -2.0 / 3 * size.y * row;
   if (origin > 10) {
-    x += 0.5 * cell.width * (1 - column);
-    y += 2.0 / 3 * cell.height * (1 - row);
+    x += 0.5 * size.x * (1 - column);
+    y += 2.0 / 3 * size.y * (1 - row);
   }
   return x * cell.right + y * cell.up;
 }
@@ -54,22 +57,47 @@ std::size_t characters_of_line(const std::string& text, std::size_t from) {
   return count;
 }
 
+/// Lines of a buffered label lie left-aligned about its anchor; it has at least one.
+struct Block {
+  std::size_t longest = 0, lines = 1;
+
+  explicit Block(const std::string& text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      longest = std::max(longest, characters_of_line(text, i));
+      lines += text[i] == '\n';
+    }
+  }
+};
+
 class Label {
  public:
   explicit Label(HpglPlotter& plotter) : plotter_(plotter), cell_(plotter) {}
 
+  /// All lines begin below each other, and the last is where a single one would be.
+  void write_block(const std::string& text) {
+    const Block block(text);
+    const int row = (plotter_.label_origin - 1) % 10 % 3;
+    block_shift_ = origin_shift(plotter_, cell_, block.longest);
+    const glm::dvec2 up =
+        (1 - 0.5 * row) * static_cast<double>(block.lines - 1) * cell_.line * cell_.up;
+    plotter_.pen += up;
+    plotter_.line_start += up;
+    is_block_ = true;
+    write(text);
+  }
   void write(const std::string& text) {
     start_line(text, 0);
+    std::size_t last_line = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
       switch (text[i]) {
         case '\r':
           flush();
-          plotter_.pen = plotter_.line_start;
-          start_line(text, i + 1);
+          carriage_return();
+          start_line(text, last_line = i + 1);
           break;
         case '\n':
           line_feed();
-          start_line(text, i + 1);
+          start_line(text, last_line = i + 1);
           break;
         case '\b':
           flush();
@@ -80,15 +108,29 @@ class Label {
       }
     }
     flush();
+    // The pen stays at the end of what it drew.
+    const int column = (plotter_.label_origin - 1) % 10 / 3;
+    const auto drawn = static_cast<double>(characters_of_line(text, last_line));
+    if (plotter_.label_origin > 0 && !plotter_.vertical) {
+      plotter_.pen -= 0.5 * column * drawn * cell_.space * cell_.right;
+    }
   }
 
+  /// Vertical text goes on in the next column.
+  void carriage_return() {
+    flush();
+    if (plotter_.vertical) plotter_.line_start -= cell_.space * cell_.right;
+    plotter_.pen = plotter_.line_start;
+  }
   /// One down the page, or to the next column of vertical text.
   void line_feed() {
     flush();
-    const glm::dvec2 step =
-        plotter_.vertical ? -2 * cell_.space * cell_.right : -cell_.line * cell_.up;
-    plotter_.pen += step;
-    plotter_.line_start += step;
+    if (plotter_.vertical) {
+      plotter_.pen -= cell_.space * cell_.right;
+      return;
+    }
+    plotter_.pen -= cell_.line * cell_.up;
+    plotter_.line_start -= cell_.line * cell_.up;
   }
   glm::dvec2 advance() const {
     return plotter_.vertical ? -cell_.line * cell_.up : cell_.space * cell_.right;
@@ -97,13 +139,30 @@ class Label {
 
  private:
   void start_line(const std::string& text, std::size_t from) {
-    shift_ = origin_shift(plotter_, cell_, characters_of_line(text, from));
+    shift_ =
+        is_block_ ? block_shift_ : origin_shift(plotter_, cell_, characters_of_line(text, from));
   }
   void add(char c) {
+    if (hidden(plotter_.pen + shift_)) {
+      flush();
+      plotter_.pen += advance();
+      return;
+    }
     if (run_.empty()) run_start_ = plotter_.pen;
     run_ += c;
     plotter_.pen += advance();
     if (plotter_.vertical) flush();
+  }
+  /// Whether a character at this place leaves the window: it is not drawn then.
+  bool hidden(glm::dvec2 at) const {
+    if (!plotter_.clipped) return false;
+    glm::dvec2 least = at, most = at;
+    for (const glm::dvec2 corner : {at + cell_.width * cell_.right, at + cell_.height * cell_.up}) {
+      least = glm::min(least, corner);
+      most = glm::max(most, corner);
+    }
+    const glm::dvec2 a = plotter_.window_least, b = plotter_.window_most;
+    return least.x < a.x || least.y < a.y || most.x > b.x || most.y > b.y;
   }
   void flush() {
     if (run_.empty()) return;
@@ -120,7 +179,8 @@ class Label {
 
   HpglPlotter& plotter_;
   Cell cell_;
-  glm::dvec2 shift_{0}, run_start_{0};
+  glm::dvec2 shift_{0}, block_shift_{0}, run_start_{0};
+  bool is_block_ = false;
   std::string run_;
 };
 
@@ -129,6 +189,11 @@ class Label {
 void hpgl_label(HpglPlotter& plotter, const std::string& text) {
   plotter.dot_due = false;
   Label(plotter).write(text);
+}
+
+void hpgl_print_buffer(HpglPlotter& plotter) {
+  plotter.dot_due = false;
+  Label(plotter).write_block(plotter.label_buffer);
 }
 
 /// The character's middle on the pen.

@@ -21,13 +21,15 @@ struct HpglContour {
 /// State in plotter units (1/40 mm) unless a name says user units. The page that no instruction
 /// tells is an A0 sheet, as hp2xx takes it.
 struct HpglPlotter {
-  static constexpr glm::dvec2 kDefaultP2{33600, 47520};
+  static constexpr glm::dvec2 kDefaultPage{33600, 47520};
   static constexpr double kUnitsACm = 400, kUnitsAMm = 40;
 
   explicit HpglPlotter(VectorDrawing& drawing) : out(&drawing) {}
 
   // Coordinates.
-  glm::dvec2 p1{0}, p2 = kDefaultP2;
+  glm::dvec2 p1{0}, p2 = kDefaultPage;
+  glm::dvec2 page = kDefaultPage;  ///< PS
+
   bool scaled = false;
   std::vector<double> scale_numbers;  ///< as SC gave them
   glm::dvec2 scale{1}, offset{0};     ///< plotter units = scale * user units + offset
@@ -109,6 +111,7 @@ void hpgl_outline(HpglPlotter& plotter, const std::vector<HpglContour>& polygon)
 
 // hpgl_label.cpp
 void hpgl_label(HpglPlotter& plotter, const std::string& text);
+void hpgl_print_buffer(HpglPlotter& plotter);
 void hpgl_symbol(HpglPlotter& plotter);
 void hpgl_character_plot(HpglPlotter& plotter, double spaces, double lines);
 void hpgl_new_line(HpglPlotter& plotter);

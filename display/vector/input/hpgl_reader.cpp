@@ -17,9 +17,9 @@ namespace {
 /// Instructions that draw nothing, or tell the computer something.
 constexpr std::array kQuiet{"VS", "FS", "AS", "CA", "CS", "SS", "SA", "CM", "DS", "IV", "OA", "OC",
                             "OD", "OE", "OF", "OH", "OI", "OK", "OL", "OO", "OP", "OS", "OT", "OW",
-                            "LA", "UL", "NP", "PS", "CR", "MC", "TR", "AC", "QL", "EC", "NR", "RP",
-                            "SB", "SV", "TD", "CF", "FI", "FN", "MG", "CT", "DC", "DP", "BF", "GM",
-                            "GC", "GP", "IM", "KY", "LM", "RC", "CC", "NM", "SD", "AD", "UC", "WD"};
+                            "LA", "UL", "NP", "CR", "MC", "TR", "AC", "QL", "EC", "NR", "RP", "SB",
+                            "SV", "TD", "CF", "FI", "FN", "MG", "CT", "DC", "DP", "BF", "GM", "GC",
+                            "GP", "IM", "KY", "LM", "RC", "CC", "NM", "SD", "AD", "UC", "WD"};
 
 using Table = std::unordered_map<std::string_view, void (*)(HpglPlotter& plotter,
                                                             const std::vector<double>& numbers)>;

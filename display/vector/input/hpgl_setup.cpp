@@ -45,12 +45,13 @@ void set_scale(HpglPlotter& p, const Numbers& n) {
 void set_corners(HpglPlotter& p, const Numbers& n) {
   const glm::dvec2 page = p.p2 - p.p1;
   p.p1 = n.size() >= 2 ? pair(n, 0) : glm::dvec2(0);
-  p.p2 = n.size() >= 4 ? pair(n, 2) : n.size() >= 2 ? p.p1 + page : HpglPlotter::kDefaultP2;
+  p.p2 = n.size() >= 4 ? pair(n, 2) : n.size() >= 2 ? p.p1 + page : p.page;
   if (!p.scale_numbers.empty()) set_scale(p, Numbers(p.scale_numbers));
 }
 
 void set_defaults(HpglPlotter& p, const Numbers&) {
   HpglPlotter fresh(*p.out);
+  fresh.page = p.page;
   fresh.p1 = p.p1;
   fresh.p2 = p.p2;
   fresh.pen = fresh.line_start = p.pen;
@@ -67,17 +68,32 @@ void set_defaults(HpglPlotter& p, const Numbers&) {
 void initialize(HpglPlotter& p, const Numbers& n) {
   p.set_down(false);
   p.p1 = {0, 0};
-  p.p2 = HpglPlotter::kDefaultP2;
+  p.p2 = p.page = HpglPlotter::kDefaultPage;
   p.turn_quarters = 0;
   set_defaults(p, n);
 }
 
+/// The size of the page: where P1 and P2 lie until IP moves them.
+void page_size(HpglPlotter& p, const Numbers& n) {
+  if (n.empty()) return;
+  p.page = n.size() >= 2 ? pair(n, 0) : glm::dvec2(n[0]);
+  set_corners(p, {});
+}
+
+/// Without numbers the corners P1 and P2, as hp2xx has it.
 void set_window(HpglPlotter& p, const Numbers& n) {
-  p.clipped = n.size() >= 4;
-  if (!p.clipped) return;
-  const glm::dvec2 a = p.plotter_units(pair(n, 0)), b = p.plotter_units(pair(n, 2));
+  const bool given = n.size() >= 4;
+  p.clipped = true;
+  const glm::dvec2 a = given ? p.plotter_units(pair(n, 0)) : p.p1;
+  const glm::dvec2 b = given ? p.plotter_units(pair(n, 2)) : p.p2;
   p.window_least = glm::min(a, b);
   p.window_most = glm::max(a, b);
+}
+
+/// A new page begins as IN leaves it (so does hp2xx), but for the pens.
+void new_page(HpglPlotter& p, const Numbers& n) {
+  initialize(p, n);
+  p.out->event(DrawingEvent::Kind::kErase);
 }
 
 void turn_page(HpglPlotter& p, const Numbers& n) {
@@ -174,12 +190,13 @@ void tick_length(HpglPlotter& p, const Numbers& n) {
 
 std::span<const HpglAction> hpgl_setup_actions() {
   static constexpr HpglAction kActions[] = {
-      {"IN", initialize},   {"BP", initialize},    {"DF", set_defaults}, {"IP", set_corners},
-      {"SC", set_scale},    {"IW", set_window},    {"RO", turn_page},    {"SP", select_pen},
-      {"PC", pen_colour},   {"WU", width_unit},    {"PW", pen_width},    {"PT", pen_thickness},
-      {"LT", line_type},    {"FT", fill_type},     {"DI", direction},    {"DR", direction_relative},
-      {"SI", size_in_cm},   {"SR", size_relative}, {"SL", slant},        {"ES", extra_space},
-      {"LO", label_origin}, {"DV", vertical},      {"TL", tick_length},
+      {"IN", initialize},         {"BP", initialize},   {"PG", new_page},      {"AF", new_page},
+      {"AH", new_page},           {"FR", new_page},     {"DF", set_defaults},  {"PS", page_size},
+      {"IP", set_corners},        {"SC", set_scale},    {"IW", set_window},    {"RO", turn_page},
+      {"SP", select_pen},         {"PC", pen_colour},   {"WU", width_unit},    {"PW", pen_width},
+      {"PT", pen_thickness},      {"LT", line_type},    {"FT", fill_type},     {"DI", direction},
+      {"DR", direction_relative}, {"SI", size_in_cm},   {"SR", size_relative}, {"SL", slant},
+      {"ES", extra_space},        {"LO", label_origin}, {"DV", vertical},      {"TL", tick_length},
   };
   return kActions;
 }
