@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "display/vector/input/hpgl_reader.h"
+#include "display/vector/input/svg_reader.h"
 #include "display/vector/input/tek_reader.h"
 #include "raster/base/error.h"
 
@@ -102,6 +103,8 @@ VectorDrawing read_vectors(InputFile& input, std::optional<VectorKind> kind, War
       return read_tek_stream(input);
     case VectorKind::kHpgl:
       return read_hpgl(input.rest(kMostBytes), input.name(), warnings);
+    case VectorKind::kSvg:
+      return read_svg(input.rest(kMostBytes), input.name());
     default:
       throw_bad_input("this kind cannot be read yet", input.name());
   }
