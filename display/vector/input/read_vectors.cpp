@@ -7,6 +7,7 @@
 #include "display/vector/input/hpgl_reader.h"
 #include "display/vector/input/svg_reader.h"
 #include "display/vector/input/tek_reader.h"
+#include "display/vector/input/wav_reader.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -105,9 +106,10 @@ VectorDrawing read_vectors(InputFile& input, std::optional<VectorKind> kind, War
       return read_hpgl(input.rest(kMostBytes), input.name(), warnings);
     case VectorKind::kSvg:
       return read_svg(input.rest(kMostBytes), input.name());
-    default:
-      throw_bad_input("this kind cannot be read yet", input.name());
+    case VectorKind::kWav:
+      return read_wav(input.rest(kMostBytes), input.name());
   }
+  throw_bad_input("is of no kind that can be read", input.name());
 }
 
 }  // namespace kinescope

@@ -5,9 +5,11 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
+#include "display/vector/input/svg_dashes.h"
 #include "display/vector/input/svg_shapes.h"
 #include "display/vector/input/svg_style.h"
 #include "display/vector/input/svg_values.h"
+#include "display/vector/input/svg_viewport.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -21,26 +23,6 @@ constexpr float kMostUnits = 1e6f;
 
 float size_of(const glm::mat3x2& m) {
   return std::sqrt(std::abs(m[0].x * m[1].y - m[0].y * m[1].x));
-}
-
-/// The viewport's units from those of its viewBox. Source: SVG 1.1, 7.8.
-glm::mat3x2 viewbox_transform(const XmlElement& element, glm::vec2 viewport) {
-  const std::vector<float> box = svg_numbers(element.attribute("viewBox"));
-  if (box.size() < 4 || !(box[2] > 0 && box[3] > 0)) return {1, 0, 0, 1, 0, 0};
-  glm::vec2 scale = viewport / glm::vec2(box[2], box[3]);
-  const std::string_view aspect = element.attribute("preserveAspectRatio");
-  glm::vec2 share{0.5f, 0.5f};
-  if (aspect.find("none") == std::string_view::npos) {
-    const bool slice = aspect.find("slice") != std::string_view::npos;
-    scale = glm::vec2(slice ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y));
-    if (aspect.find("xMin") != std::string_view::npos) share.x = 0;
-    if (aspect.find("xMax") != std::string_view::npos) share.x = 1;
-    if (aspect.find("YMin") != std::string_view::npos) share.y = 0;
-    if (aspect.find("YMax") != std::string_view::npos) share.y = 1;
-  }
-  const glm::vec2 room = viewport - scale * glm::vec2(box[2], box[3]);
-  const glm::vec2 offset = share * room - scale * glm::vec2(box[0], box[1]);
-  return {scale.x, 0, 0, scale.y, offset.x, offset.y};
 }
 
 class SvgReader {
@@ -61,7 +43,8 @@ class SvgReader {
     }
     out_.size = size;
     const glm::mat3x2 flip{1, 0, 0, -1, 0, size.y};
-    const Place place{then(flip, viewbox_transform(root_, size)), has_box ? usual : size, {}, 0};
+    const Place place{
+        then(flip, svg_viewbox_transform(root_, size)), has_box ? usual : size, {}, 0, {}};
     const SvgStyle style = sheet_.style(root_, SvgStyle{});
     if (style.displayed) children(root_, place, style);
   }
@@ -72,6 +55,7 @@ class SvgReader {
     glm::vec2 viewport;
     glm::vec2 symbol_size;  ///< that a use gives its symbol; 0: none
     int uses;
+    std::vector<SvgClip> clips;  ///< of nested viewports
   };
 
   /// Style sheets, and what can be referred to.
@@ -103,7 +87,7 @@ class SvgReader {
     } else if (e.name == "text") {
       text(e, place, style);
     } else if (const auto path = svg_shape(e, place.viewport); path && style.visible) {
-      draw(*path, place.device_from_user, style);
+      draw(*path, place, style);
     }
   }
 
@@ -116,7 +100,9 @@ class SvgReader {
     glm::vec2 size{length("width", v.x, v.x), length("height", v.y, v.y)};
     if (place.symbol_size.x > 0) size = place.symbol_size;
     const glm::mat3x2 moved{1, 0, 0, 1, corner.x, corner.y};
-    place.device_from_user = then(then(place.device_from_user, moved), viewbox_transform(e, size));
+    const glm::mat3x2 device_from_view = then(place.device_from_user, moved);
+    if (e.attribute("overflow") != "visible") place.clips.push_back({device_from_view, size});
+    place.device_from_user = then(device_from_view, svg_viewbox_transform(e, size));
     const std::vector<float> box = svg_numbers(e.attribute("viewBox"));
     place.viewport = box.size() >= 4 ? glm::vec2(box[2], box[3]) : size;
     place.symbol_size = {};
@@ -142,7 +128,8 @@ class SvgReader {
     }
   }
 
-  void draw(const Path& path, const glm::mat3x2& device_from_user, const SvgStyle& style) {
+  void draw(const Path& path, const Place& place, const SvgStyle& style) {
+    const glm::mat3x2& device_from_user = place.device_from_user;
     if (!style.has_stroke && !style.has_fill) return;
     VectorPen pen;
     pen.colour = style.has_stroke ? style.stroke : style.fill;
@@ -152,64 +139,18 @@ class SvgReader {
     out_.use(pen);
     const float intensity =
         style.opacity * (style.has_stroke ? style.stroke_opacity : style.fill_opacity);
-    Dashes dashes(style, size_of(device_from_user));
-    for_each_chord(
-        path, device_from_user, kTolerance, [&](glm::vec2 from, glm::vec2 to, bool begins) {
-          if (begins) dashes.restart();
-          dashes.line(from, to, [&](glm::vec2 a, glm::vec2 b) { line(a, b, intensity); });
-        });
+    SvgDashes dashes(style, size_of(device_from_user));
+    for_each_chord(path, device_from_user, kTolerance,
+                   [&](glm::vec2 from, glm::vec2 to, bool begins) {
+                     if (begins) dashes.restart();
+                     dashes.line(from, to, [&](glm::vec2 a, glm::vec2 b) {
+                       for (const SvgClip& clip : place.clips) {
+                         if (!clip.cut(a, b)) return;
+                       }
+                       line(a, b, intensity);
+                     });
+                   });
   }
-
-  /// Breaks lines by stroke-dasharray.
-  class Dashes {
-   public:
-    Dashes(const SvgStyle& style, float scale)
-        : lengths_(style.dashes), offset_(style.dash_offset) {
-      float least = HUGE_VALF;
-      for (float& length : lengths_) {
-        length *= scale;
-        total_ += length;
-        least = std::min(least, length);
-      }
-      // Dashes too fine to be seen, or too many for any use.
-      if (total_ < 0.1f || !style.has_stroke) lengths_.clear();
-      offset_ *= scale;
-      restart();
-    }
-    void restart() {
-      if (lengths_.empty()) return;
-      float left = std::fmod(offset_, total_);
-      if (left < 0) left += total_;
-      at_ = 0;
-      for (std::size_t i = 0; i < lengths_.size() && left >= lengths_[at_]; ++i) {
-        left -= lengths_[at_];
-        at_ = (at_ + 1) % lengths_.size();
-      }
-      left_ = lengths_[at_] - left;
-    }
-    template <typename Sink>
-    void line(glm::vec2 from, glm::vec2 to, Sink&& sink) {
-      const float length = glm::length(to - from);
-      if (lengths_.empty() || !(length > 0) || length > 1e5f * total_) return sink(from, to);
-      for (float done = 0; done < length;) {
-        const float next = std::min(length, done + left_);
-        const glm::vec2 step = (to - from) / length;
-        if (at_ % 2 == 0 && next > done) sink(from + done * step, from + next * step);
-        left_ -= next - done;
-        done = next;
-        if (done >= length) return;
-        do {
-          at_ = (at_ + 1) % lengths_.size();
-          left_ = lengths_[at_];
-        } while (left_ == 0);
-      }
-    }
-
-   private:
-    std::vector<float> lengths_;
-    float offset_, total_ = 0, left_ = 0;
-    std::size_t at_ = 0;
-  };
 
   void line(glm::vec2 from, glm::vec2 to, float intensity) {
     const auto far = [](glm::vec2 p) { return !(std::max(std::abs(p.x), std::abs(p.y)) < 1e9f); };
