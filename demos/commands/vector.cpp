@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <memory>
 
 #include "demos/commands/commands.h"
 #include "demos/console.h"
 #include "demos/film.h"
 #include "demos/json.h"
+#include "demos/session.h"
+#include "demos/vector_view.h"
+#include "display/presenter.h"
 #include "display/vector/input/read_vectors.h"
 #include "display/vector/input/strokes_picture.h"
 #include "display/vector/input/write_svg.h"
@@ -93,25 +97,64 @@ std::string stem_of(const std::string& input) {
   return input == "-" ? "vector" : std::filesystem::path(input).stem().string();
 }
 
+bool wants_window(const Options& options) {
+  return options.picture.output.empty() && !options.common.headless && Presenter::available();
+}
+
+int show(const Options& options, const DemoInfo& view) {
+  const Size size = options.picture.size.value_or(Size{1280, 960});
+  return run_demo_window(view,
+                         {size.width, size.height, options.common.seed, options.common.threads});
+}
+
+/// The page, or what the terminal shows at last, to its file.
+void finish(const Options& options, const VectorDrawing& page, const std::string& stem) {
+  std::string output = options.picture.output;
+  if (output.empty()) output = output_in_out(stem, false);
+  write_picture(options, page, output);
+  if (options.picture.output.empty()) print_remark("wrote " + output, options.common.quiet);
+}
+
+/// Prints the terminal's name at once; then draws live, or until its last user has left.
+int run_terminal(const Options& options) {
+  if (!options.vector.input.empty()) {
+    throw Error(ErrorKind::kUsage, "is an input of its own; leave out " + options.vector.input,
+                "--pty");
+  }
+  const auto terminal = std::make_shared<VectorTerminal>();
+  print_result(terminal->name() + "\n");
+  if (wants_window(options)) return show(options, vector_view(terminal));
+  while (!terminal->finished()) terminal->poll(20);
+  if (options.vector.segments) print_segments(terminal->drawing());
+  if (options.vector.texts) print_texts(terminal->drawing());
+  finish(options, terminal->drawing(), "vector");
+  return 0;
+}
+
 }  // namespace
 
 int run_vector(const Options& options) {
   const VectorRequest& request = options.vector;
+  if (request.pty) return run_terminal(options);
+  if (request.input.empty()) {
+    throw Error(
+        ErrorKind::kUsage,
+        "nothing to draw: name a Tektronix, HP-GL, SVG or WAV file, - for standard input, or "
+        "--pty");
+  }
   InputFile input(request.input);
   Warnings warnings;
   const VectorDrawing drawing = read_vectors(input, request.kind, &warnings);
   print_warnings(warnings, options.common.quiet);
   if (request.segments) print_segments(drawing);
   if (request.texts) print_texts(drawing);
-  std::string output = options.picture.output;
   std::vector<VectorDrawing> all = pages(drawing);
   if (options.common.json) print_figures(options, drawing, all.size());
   const bool printed = request.segments || request.texts || options.common.json;
-  if (output.empty() && printed) return 0;
+  if (options.picture.output.empty() && printed) return 0;
   const VectorDrawing page = shown_page(options, std::move(all), input.name());
-  if (output.empty()) output = output_in_out(stem_of(request.input), false);
-  write_picture(options, page, output);
-  if (options.picture.output.empty()) print_remark("wrote " + output, options.common.quiet);
+  if (wants_window(options)) return show(options, vector_view(page));
+  finish(options, page, stem_of(request.input));
   return 0;
 }
 
