@@ -1,0 +1,183 @@
+// kinescope vector as its users start it: streams of real programs, terminals, bad input.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "raster/image/codecs.h"
+#include "tests/demos/program_run.h"
+
+namespace kinescope::test {
+namespace {
+
+using namespace std::string_literals;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+int lit_pixels(const std::string& path) {
+  int count = 0;
+  const Image<Srgb8> picture = read_image_file(path);
+  for (const Srgb8 c : picture.pixels()) count += c.g > 100;
+  return count;
+}
+
+/// The README's line that begins so, without what explains it.
+std::string readme_line(const std::string& beginning) {
+  std::istringstream text(read_text(KINESCOPE_SOURCE_DIR "/README.md"));
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("    " + beginning)) return line.substr(4);
+  }
+  return "";
+}
+
+TEST(ProgramVector, TheReadmesGnuplotLine) {
+  TemporaryFolder folder;
+  const std::string line = readme_line("gnuplot ");
+  ASSERT_THAT(line, HasSubstr("| kinescope vector - -o plot.png"));
+  const RunResult run = run_shell(line, {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  EXPECT_GT(lit_pixels(folder / "plot.png"), 3000);
+}
+
+TEST(ProgramVector, TheReadmesGraphLine) {
+  TemporaryFolder folder;
+  write_text(folder / "data", "0 0\n1 1\n2 4\n3 9\n");
+  const std::string line = readme_line("graph ");
+  ASSERT_THAT(line, AllOf(HasSubstr("graph -T tek < data | kinescope vector -")));
+  const RunResult run = run_shell(line, {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "kinescope: wrote out/vector.png\n") << "there is no window to be had";
+  EXPECT_GT(lit_pixels(folder / "out/vector.png"), 3000);
+}
+
+TEST(ProgramVector, SegmentsAreFiveNumbersALine) {
+  const std::string stream = "\x1d b Ac @\x1d#` @#a @"s;
+  const RunResult run = run_kinescope({"vector", "-", "--segments"}, {.input = "\x1d!`!@!a!A"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "128 128 132 132 1\n");
+  const RunResult plot =
+      run_kinescope({"vector", "-", "--segments"}, {.input = "IN;SP1;PA0,0;PD100.5,7;"});
+  EXPECT_EQ(plot.out, "0 0 100.5 7 1\n");
+  const RunResult sheet = run_kinescope(
+      {"vector", "-", "--segments", "--kind", "svg"},
+      {.input = "<svg width='9' height='9'><path stroke='red' opacity='.5' d='M0 0h9'/></svg>"});
+  EXPECT_EQ(sheet.out, "0 9 9 9 0.5\n");
+}
+
+TEST(ProgramVector, WritesSvgThatItReads) {
+  TemporaryFolder folder;
+  write_text(folder / "a.hpgl", "IN;SP1;PA0,0;PD4000,0,4000,3000;PU0,100;LBHi\x03");
+  const RunResult run =
+      run_kinescope({"vector", "a.hpgl", "-o", "a.svg"}, {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const RunResult again =
+      run_kinescope({"vector", "a.svg", "-o", "a.png"}, {.folder = folder.path()});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_GT(lit_pixels(folder / "a.png"), 1000);
+}
+
+TEST(ProgramVector, PagesAndFigures) {
+  const std::string two = "IN;SP1;PA0,0;PD5,0;PG;SP1;PA0,0;PD7,0,7,7;LBx\x03";
+  const RunResult figures = run_kinescope({"vector", "-", "--json"}, {.input = two});
+  const auto json = nlohmann::json::parse(figures.out);
+  EXPECT_EQ(json["segments"], 3);
+  EXPECT_EQ(json["texts"], 1);
+  EXPECT_EQ(json["pages"], 2);
+  TemporaryFolder folder;
+  for (const auto& [page, exit_code] : {std::pair("0", 0), std::pair("1", 0), std::pair("2", 2)}) {
+    const RunResult run = run_kinescope({"vector", "-", "--page", page, "-o", "a.svg"},
+                                        {.folder = folder.path(), .input = two});
+    EXPECT_EQ(run.exit_code, exit_code) << run.err;
+  }
+}
+
+TEST(ProgramVector, ATerminalThatGnuplotDrawsOn) {
+  TemporaryFolder folder;
+  RunResult run;
+  std::thread program([&] {
+    run = run_kinescope({"vector", "--pty", "--headless", "-o", "pty.png"},
+                        {.folder = folder.path(), .out_path = folder / "name"});
+  });
+  std::string name;
+  for (int i = 0; i < 500 && !name.ends_with('\n'); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    if (std::filesystem::exists(folder / "name")) name = read_text(folder / "name");
+  }
+  EXPECT_THAT(name, StartsWith("/dev/pts/"));
+  name.pop_back();
+  const RunResult plot =
+      run_shell("gnuplot -e 'set terminal tek40xx; set output \"" + name + "\"; plot sin(x)'");
+  EXPECT_EQ(plot.exit_code, 0) << plot.err;
+  program.join();
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_GT(lit_pixels(folder / "pty.png"), 3000);
+}
+
+TEST(ProgramVector, BadInputIsOneClearLine) {
+  TemporaryFolder folder;
+  std::string nonsense;
+  for (int i = 0; i < 1000; ++i) nonsense += static_cast<char>(i * 7919 % 251 | 128);
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"empty", ""},
+      {"letter", "Dear friend,\n"},
+      {"nothing.tek", "\x1b\x0c"},
+      {"random", nonsense},
+      {"half.svg", "<svg width='5' height='5'><path d='M0 0"},
+      {"none.svg", "<svg/>"},
+      {"half.wav", "RIFF1234WAVEfmt "},
+      {"packed", "\x1f\x8b\x08"},
+  };
+  for (const auto& [name, text] : files) {
+    write_text(folder / name, text);
+    const RunResult run = run_kinescope({"vector", name, "-o", "a.png"}, {.folder = folder.path()});
+    EXPECT_EQ(run.exit_code, 3) << name << ": " << run.err;
+    EXPECT_EQ(run.lines_of_err(), 1) << name << ": " << run.err;
+    EXPECT_THAT(run.err, AllOf(StartsWith("kinescope: "), HasSubstr(name)));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+  }
+}
+
+TEST(ProgramVector, BadUsage) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> lines{
+      {{"vector"}, "nothing to draw"},
+      {{"vector", "-", "--kind", "letter"}, "--kind"},
+      {{"vector", "a", "--pty"}, "--pty"},
+      {{"vector", "-", "-o", "a.y4m"}, "-o"},
+  };
+  for (const auto& [arguments, hint] : lines) {
+    const RunResult run = run_kinescope(arguments, {.input = "IN;PA0,0;PD1,1"});
+    EXPECT_EQ(run.exit_code, 2) << run.err;
+    EXPECT_EQ(run.lines_of_err(), 1) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(hint));
+  }
+}
+
+TEST(ProgramVector, TenMillionVectors) {
+  TemporaryFolder folder;
+  {
+    // Each four bytes of a short address: back and forth across the screen.
+    std::ofstream file(folder / "many.tek", std::ios::binary);
+    file << "\x1b\x0c\x1d";
+    std::string lines;
+    for (int i = 0; i < 10000; ++i) {
+      lines += static_cast<char>(0x20 | i % 24);
+      lines += static_cast<char>(0x60 | i % 32);
+      lines += static_cast<char>(0x20 | i * 7 % 32);
+      lines += static_cast<char>(0x40 | i * 3 % 32);
+    }
+    for (int i = 0; i < 1000; ++i) file << lines;
+  }
+  const RunResult run = run_kinescope({"vector", "many.tek", "--json"}, {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["segments"], 9999999);
+}
+
+}  // namespace
+}  // namespace kinescope::test

@@ -1,0 +1,9 @@
+#include "display/vector/input/hpgl_reader.h"
+#include "tests/fuzz/drawing_fuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  kinescope::fuzz_reader(data, size, [](auto bytes) {
+    kinescope::check_drawing(kinescope::read_hpgl(bytes, "fuzz"));
+  });
+  return 0;
+}

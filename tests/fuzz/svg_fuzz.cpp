@@ -1,0 +1,8 @@
+#include "display/vector/input/svg_reader.h"
+#include "tests/fuzz/drawing_fuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  kinescope::fuzz_reader(
+      data, size, [](auto bytes) { kinescope::check_drawing(kinescope::read_svg(bytes, "fuzz")); });
+  return 0;
+}
