@@ -1,10 +1,13 @@
-// A Tektronix terminal on a pseudo-terminal.
+// A Tektronix terminal or a plotter on a pseudo-terminal.
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "display/vector/input/drawing.h"
 #include "display/vector/input/pseudo_terminal.h"
+#include "display/vector/input/read_vectors.h"
 #include "display/vector/input/tek_reader.h"
 
 namespace kinescope {
@@ -12,6 +15,9 @@ namespace kinescope {
 /// What its screen shows: only what came after the last erasure is kept.
 class VectorTerminal {
  public:
+  /// @param kind Tektronix or HP-GL; none: by what comes first
+  explicit VectorTerminal(std::optional<VectorKind> kind) : kind_(kind) {}
+
   const std::string& name() const { return device_.name(); }
   /// Takes what has arrived, waiting at most that long, and answers it. @return whether the screen
   /// has changed
@@ -24,10 +30,13 @@ class VectorTerminal {
   const VectorDrawing& drawing() const { return drawing_; }
 
  private:
+  void plot();
+
   PseudoTerminal device_;
+  std::optional<VectorKind> kind_;
   TekReader reader_;
   VectorDrawing drawing_;
-  std::vector<std::uint8_t> bytes_;
+  std::vector<std::uint8_t> bytes_;  ///< new ones; of a plot, all
 };
 
 }  // namespace kinescope

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "display/vector/input/strokes_picture.h"
+#include "raster/image/draw.h"
 
 namespace kinescope {
 namespace {
@@ -30,6 +31,11 @@ class VectorView : public ClonableDemo<VectorView> {
     }
     stale_ = false;
     picture = cached_;
+    if (terminal_ && terminal_->crosshair_shown()) {
+      constexpr Srgb8 kCrosshair{160, 160, 160};
+      draw_line(picture, 0, mouse_y_, width() - 1, mouse_y_, kCrosshair);
+      draw_line(picture, mouse_x_, 0, mouse_x_, height() - 1, kCrosshair);
+    }
   }
 
   /// Tells the terminal what the user did with the crosshair.

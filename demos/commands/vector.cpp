@@ -50,14 +50,19 @@ void print_texts(const VectorDrawing& drawing) {
   print_result(lines);
 }
 
-void print_figures(const Options& options, const VectorDrawing& drawing, std::size_t page_count) {
+void print_figures(const Options& options, const std::vector<VectorDrawing>& all) {
+  std::uint64_t segments = 0, texts = 0;
+  for (const VectorDrawing& page : all) {
+    segments += page.segments.size();
+    texts += page.texts.size();
+  }
   JsonWriter json;
   json.begin_object().member("input", options.vector.input);
-  json.member("segments", static_cast<std::uint64_t>(drawing.segments.size()));
-  json.member("texts", static_cast<std::uint64_t>(drawing.texts.size()));
-  json.member("pages", static_cast<std::uint64_t>(page_count));
-  json.member("width_units", static_cast<double>(drawing.size.x));
-  json.member("height_units", static_cast<double>(drawing.size.y));
+  json.member("segments", segments).member("texts", texts);
+  json.member("pages", static_cast<std::uint64_t>(all.size()));
+  const glm::vec2 size = all.empty() ? VectorDrawing{}.size : all.front().size;
+  json.member("width_units", static_cast<double>(size.x));
+  json.member("height_units", static_cast<double>(size.y));
   print_result(json.end_object().text());
 }
 
@@ -121,7 +126,7 @@ int run_terminal(const Options& options) {
     throw Error(ErrorKind::kUsage, "is an input of its own; leave out " + options.vector.input,
                 "--pty");
   }
-  const auto terminal = std::make_shared<VectorTerminal>();
+  const auto terminal = std::make_shared<VectorTerminal>(options.vector.kind);
   print_result(terminal->name() + "\n");
   if (wants_window(options)) return show(options, vector_view(terminal));
   while (!terminal->finished()) terminal->poll(20);
@@ -144,16 +149,16 @@ int run_vector(const Options& options) {
   }
   InputFile input(request.input);
   Warnings warnings;
-  const VectorDrawing drawing = read_vectors(input, request.kind, &warnings);
+  VectorDrawing drawing = read_vectors(input, request.kind, &warnings);
   print_warnings(warnings, options.common.quiet);
   if (request.segments) print_segments(drawing);
   if (request.texts) print_texts(drawing);
-  std::vector<VectorDrawing> all = pages(drawing);
-  if (options.common.json) print_figures(options, drawing, all.size());
+  std::vector<VectorDrawing> all = pages(std::move(drawing));
+  if (options.common.json) print_figures(options, all);
   const bool printed = request.segments || request.texts || options.common.json;
   if (options.picture.output.empty() && printed) return 0;
-  const VectorDrawing page = shown_page(options, std::move(all), input.name());
-  if (wants_window(options)) return show(options, vector_view(page));
+  VectorDrawing page = shown_page(options, std::move(all), input.name());
+  if (wants_window(options)) return show(options, vector_view(std::move(page)));
   finish(options, page, stem_of(request.input));
   return 0;
 }

@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, Help, ::testing::Values("", "list", "demo", "
 
 TEST(ProgramUsage, HelpNamesEveryCommand) {
   const RunResult help = run_kinescope({"--help"});
-  for (const char* command : {"list", "demo", "render", "timing"}) {
+  for (const char* command : {"list", "demo", "render", "display", "vector", "timing"}) {
     EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + " "));
   }
 }

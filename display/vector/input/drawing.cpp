@@ -1,5 +1,8 @@
 #include "display/vector/input/drawing.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace kinescope {
 namespace {
 
@@ -44,8 +47,16 @@ void VectorDrawing::clear() {
   use(pen);
 }
 
-std::vector<VectorDrawing> pages(const VectorDrawing& drawing) {
+std::vector<VectorDrawing> pages(VectorDrawing drawing) {
   std::vector<VectorDrawing> out;
+  const bool one_page =
+      std::all_of(drawing.events.begin(), drawing.events.end(), [](const DrawingEvent& event) {
+        return event.kind != DrawingEvent::Kind::kErase || event.segments + event.texts == 0;
+      });
+  if (one_page) {  // the usual: not copied
+    if (!drawing.segments.empty() || !drawing.texts.empty()) out.push_back(std::move(drawing));
+    return out;
+  }
   std::size_t segments = 0, texts = 0;
   const auto add = [&](std::size_t s1, std::size_t t1) {
     if (s1 > segments || t1 > texts) out.push_back(part(drawing, segments, s1, texts, t1));

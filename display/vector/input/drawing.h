@@ -78,6 +78,6 @@ void for_each_run(const VectorDrawing& drawing, Sink&& sink) {
 }
 
 /// The pages of a drawing: what lies between erasures and holds anything.
-std::vector<VectorDrawing> pages(const VectorDrawing& drawing);
+std::vector<VectorDrawing> pages(VectorDrawing drawing);
 
 }  // namespace kinescope

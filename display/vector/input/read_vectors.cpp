@@ -13,7 +13,6 @@
 namespace kinescope {
 namespace {
 
-constexpr std::uint8_t kEsc = 27;
 constexpr std::size_t kMostBytes = std::size_t{1} << 31;
 
 bool begins(std::string_view text, std::string_view with) { return text.starts_with(with); }
