@@ -143,6 +143,19 @@ TEST(HpglReader, PassesOverEscapesAndTellsOfTheUnknown) {
   EXPECT_THROW(read(""), Error);
 }
 
+TEST(HpglReader, FillsWithoutEndAreRefused) {
+  std::string plot = "FT3,1;PA0,0;PM0;PD";
+  for (int i = 0; i < 999; ++i) plot += i % 2 ? "0,0," : "9,99999,";
+  plot += "0,0;PM2;";
+  for (int i = 0; i < 99; ++i) plot += "FP;";
+  try {
+    read(plot);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("plot: "));
+  }
+}
+
 TEST(HpglReader, AnyTextIsHarmless) {
   std::mt19937 random(2);
   const std::string_view words[] = {"PA", "PD", "PU", "PR", "SC", "IP", "CI",   "AA", "AT", "EW",

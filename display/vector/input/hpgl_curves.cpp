@@ -10,13 +10,13 @@ namespace kinescope {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
-constexpr double kMostTurns = 10;  // a longer arc draws nothing new
+constexpr double kMostTurns = 2;  // a longer arc draws nothing new
 
 /// Calls sink(degrees from the start) for the end of each chord.
 template <typename Sink>
 void for_each_chord(double degrees, double chord_degrees, Sink&& sink) {
   const double sweep = std::clamp(degrees, -360 * kMostTurns, 360 * kMostTurns);
-  const double chord = std::clamp(std::abs(chord_degrees), 0.1, 180.0);
+  const double chord = std::clamp(std::abs(chord_degrees), 0.5, 180.0);
   const int count = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / chord - 1e-9)));
   for (int i = 1; i <= count; ++i) sink(sweep * i / count);
 }

@@ -5,12 +5,20 @@
 #include <numbers>
 
 #include "display/vector/input/hpgl_plotter.h"
+#include "raster/base/error.h"
 
 namespace kinescope {
 namespace {
 
 /// No screen tells more lines apart.
 constexpr double kMostLines = 20000;
+constexpr std::size_t kMostCrossings = 4'000'000;  ///< of one area
+constexpr std::size_t kMostStrokes = 5'000'000;    ///< of all
+
+/// Where an edge meets a line.
+struct Crossing {
+  double line, at;
+};
 
 /// Lines at the given angle, even-odd, counted from the origin of plotter units so that neighbours'
 /// lines meet.
@@ -27,25 +35,33 @@ void hatch(HpglPlotter& plotter, const std::vector<HpglContour>& polygon, double
   }
   if (!std::isfinite(most - least)) return;
   spacing = std::max({spacing, (most - least) / kMostLines, 1e-3});
-  std::vector<double> crossings;
-  for (double k = std::ceil(least / spacing); k * spacing < most; ++k) {
-    const double level = k * spacing;
-    crossings.clear();
-    for (const HpglContour& contour : polygon) {
-      const std::size_t count = contour.points.size();
-      for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec2 a = contour.points[i], b = contour.points[(i + 1) % count];
-        const double ya = glm::dot(a, across), yb = glm::dot(b, across);
-        if ((ya <= level) == (yb <= level)) continue;
-        const double t = (level - ya) / (yb - ya);
-        crossings.push_back(glm::dot(a + t * (b - a), along));
+  std::vector<Crossing> crossings;
+  for (const HpglContour& contour : polygon) {
+    const std::size_t count = contour.points.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::dvec2 a = contour.points[i], b = contour.points[(i + 1) % count];
+      const double ya = glm::dot(a, across), yb = glm::dot(b, across);
+      // Lines in [lower, upper): those that meet only one of two joined edges at their corner.
+      const double first = std::ceil(std::min(ya, yb) / spacing), end = std::max(ya, yb) / spacing;
+      for (double k = first; k < end; ++k) {
+        const double t = (k * spacing - ya) / (yb - ya);
+        crossings.push_back({k, glm::dot(a + t * (b - a), along)});
+      }
+      if (crossings.size() > kMostCrossings) {
+        throw_bad_input("an area is too intricate to be filled", plotter.name);
       }
     }
-    std::sort(crossings.begin(), crossings.end());
-    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-      plotter.stroke(crossings[i] * along + level * across,
-                     crossings[i + 1] * along + level * across);
-    }
+  }
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+    return a.line != b.line ? a.line < b.line : a.at < b.at;
+  });
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    const glm::dvec2 level = crossings[i].line * spacing * across;
+    plotter.stroke(crossings[i].at * along + level, crossings[i + 1].at * along + level);
+  }
+  plotter.fill_strokes += crossings.size() / 2;
+  if (plotter.fill_strokes > kMostStrokes) {
+    throw_bad_input("areas are filled with more lines than any plotter would draw", plotter.name);
   }
 }
 

@@ -52,6 +52,7 @@ struct HpglPlotter {
   std::vector<HpglContour> polygon;
   int fill_type = 1;
   double fill_spacing = 0, fill_degrees = 0;  ///< spacing 0: one hundredth of P1 to P2
+  std::size_t fill_strokes = 0;               ///< so far
   double pen_thickness = 0.3 * kUnitsAMm;
 
   // Characters.
@@ -85,6 +86,7 @@ struct HpglPlotter {
   glm::dvec2 turned(glm::dvec2 at) const;
 
   VectorDrawing* out;
+  std::string name = {};  ///< what an Error calls the plot
 };
 
 /// An instruction's name and what it does with its numbers.

@@ -79,6 +79,7 @@ VectorDrawing read_hpgl(std::span<const std::uint8_t> bytes, const std::string& 
   static const Table table = make_table();
   VectorDrawing drawing;
   HpglPlotter plotter(drawing);
+  plotter.name = name;
   HpglScanner scanner(bytes);
   HpglInstruction instruction;
   std::set<std::string> unknown;

@@ -51,6 +51,8 @@ void set_corners(HpglPlotter& p, const Numbers& n) {
 
 void set_defaults(HpglPlotter& p, const Numbers&) {
   HpglPlotter fresh(*p.out);
+  fresh.name = p.name;
+  fresh.fill_strokes = p.fill_strokes;
   fresh.page = p.page;
   fresh.p1 = p.p1;
   fresh.p2 = p.p2;

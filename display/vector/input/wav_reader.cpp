@@ -27,7 +27,8 @@ struct Format {
 /// One channel of a frame, -32768 to 32767.
 float sample(std::span<const std::uint8_t> bytes, const Format& format) {
   const std::uint32_t value = little_endian(bytes);
-  if (format.kind == 3) return std::bit_cast<float>(value) * kFullScale;
+  // Floats may go over full scale; no beam follows them far.
+  if (format.kind == 3) return std::clamp(std::bit_cast<float>(value), -16.0f, 16.0f) * kFullScale;
   if (format.bits == 8) return (static_cast<float>(value) - 128) * 256;
   const auto high = static_cast<std::int32_t>(value << (32 - format.bits));
   return static_cast<float>(high) / 65536;
