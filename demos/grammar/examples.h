@@ -35,6 +35,14 @@ Examples:
   kinescope display film.y4m --fps 240 --shutter 1/240 -o slices.y4m
   kinescope display pattern:crosshatch --mode 240p --shutter 1/4000 -o lines.png)";
 
+inline constexpr const char* kVectorExamples =
+    R"(Without -o a window opens. gnuplot draws on a --pty by set output "/dev/pts/N".
+Examples:
+  gnuplot -e 'set term tek40xx; plot sin(x)' | kinescope vector - -o plot.png
+  kinescope vector plot.hpgl -o plot.svg
+  kinescope vector drawing.svg --segments
+  kinescope vector --pty)";
+
 inline constexpr const char* kTimingExamples =
     R"(MODE is a name such as 640x480@60, gtf:WxH@HZ, cvt:WxH@HZ, cvtrb:WxH@HZ, or a Modeline.
 Examples:
