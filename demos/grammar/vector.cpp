@@ -1,6 +1,5 @@
 #include <limits>
-#include <string>
-#include <vector>
+#include <string_view>
 
 #include "demos/grammar/commands.h"
 #include "demos/grammar/options.h"

@@ -72,6 +72,22 @@ TEST_F(Window, HoldsTheTeapotInLittleMemory) {
   EXPECT_LT(peak, 150'000'000u);
 }
 
+TEST_F(Window, ShowsThePlotOfVector) {
+  // A frame around the page.
+  test::write_text(folder_ / "a.hpgl", "IN;SP1;PA0,0;PD4000,0,4000,3000,0,3000,0,0");
+  start({"vector", "a.hpgl"});
+  EXPECT_TRUE(until([](const auto& shot) {
+    if (shot.width() != 640) return false;
+    const auto lit_in_row = [&](int y) {
+      int lit = 0;
+      for (int x = 0; x < shot.width(); ++x) lit += shot.at(x, y).g > 100;
+      return lit;
+    };
+    return lit_in_row(240) >= 2 && lit_in_row(240) < 20 &&
+           std::max(lit_in_row(12), lit_in_row(13)) > 500;
+  })) << "no frame";
+}
+
 TEST_F(Window, ShowsThePictureOfDisplay) {
   start({"display", "pattern:ebu-bars"});
   ASSERT_TRUE(shown());

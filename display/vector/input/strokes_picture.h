@@ -1,4 +1,4 @@
-// A drawing as plain anti-aliased lines: what was decoded, without any tube.
+// A drawing as one sweep of a sharp beam leaves it: what was decoded, without the tube's time.
 #pragma once
 
 #include "display/vector/input/drawing.h"
@@ -7,8 +7,8 @@
 
 namespace kinescope {
 
-/// The drawing's area as large as it fits into width x height, centred on black; strokes add their
-/// light and are at least a pixel wide.
+/// The drawing's area as large as it fits into width x height, centred on black. The beam is as
+/// wide whatever the pens' widths; where strokes meet, their light adds.
 Image<Srgb8> strokes_picture(const VectorDrawing& drawing, int width, int height, Workers& workers);
 
 }  // namespace kinescope
