@@ -1,0 +1,149 @@
+#include "display/vector/vector_tube.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "display/decay.h"
+#include "display/layer_colours.h"
+
+namespace kinescope {
+namespace {
+
+/// Before an exposure's end, fast terms' light changes along a stroke: it is cut into parts so
+/// short that none changes much.
+constexpr Seconds kFreshest = milliseconds(2);
+constexpr double kPartsAPixel = 1;
+constexpr double kMostParts = 512;
+
+}  // namespace
+
+VectorTube::VectorTube(const VectorMachine& machine, int width, int height)
+    : picture_(width, height) {
+  const PhosphorType& type = find_phosphor(machine.phosphor);
+  const auto colours = layer_colours(type);
+  int planes = 0;
+  for (std::size_t i = 0; i < type.layers.size(); ++i) {
+    layers_.push_back({type.layers[i], colours[i], type.colour ? i : 0, planes});
+    planes += 1 + static_cast<int>(type.layers[i].terms.size());
+  }
+  guns_ = type.colour;
+  light_ = TiledLight(width, height, planes);
+  scale_ = std::min(static_cast<double>(width) / machine.width,
+                    static_cast<double>(height) / machine.height);
+  left_ = 0.5 * (width - scale_ * machine.width);
+  bottom_ = 0.5 * (height + scale_ * machine.height);
+  const double sigma = machine.spot_sigma_mm / machine.screen_mm * machine.width * scale_;
+  sigma_px_ = static_cast<float>(sigma);
+  const double speed = machine.speed_units_us * 1e6 * scale_;
+  gain_ = speed * std::sqrt(2 * std::numbers::pi) * sigma;
+}
+
+/// Gathers the light that what is there gives in the window, and lets it decay.
+void VectorTube::fade(Seconds length, Workers& workers) {
+  workers.run(light_.tiles(), [&](int tile, int) {
+    if (!light_.lit(tile)) return;
+    float most = 0;
+    for (const Layer& layer : layers_) {
+      float* const sum = light_.plane(tile, layer.first_plane);
+      std::fill_n(sum, kBeamTilePlane, 0.0f);
+      int plane = layer.first_plane;
+      for (const DecayTerm& term : layer.phosphor.terms) {
+        float* const held = light_.plane(tile, ++plane);
+        const Decayed after = decayed(length.count(), term.tau.count());
+        const float lost = static_cast<float>(after.lost), left = static_cast<float>(after.left);
+        for (int i = 0; i < kBeamTilePlane; ++i) {
+          sum[i] += held[i] * lost;
+          // What fades into denormal numbers would be slow.
+          held[i] = held[i] > 1e-25f ? held[i] * left : 0.0f;
+          most = std::max(most, held[i]);
+        }
+      }
+      for (int i = 0; i < kBeamTilePlane; ++i) most = std::max(most, sum[i]);
+    }
+    light_.set_lit(tile, most > 0);
+  });
+}
+
+/// The part of a move in [begin, end), of an exposure that ends at `until`.
+void VectorTube::add_stroke(const BeamMove& move, Seconds begin, Seconds end, Seconds until) {
+  const double length = (move.end - move.begin).count();
+  const auto place = [&](Seconds t, double from, double to) {
+    return length > 0 ? std::lerp(from, to, (t - move.begin).count() / length) : to;
+  };
+  const auto x = [&](Seconds t) {
+    return static_cast<float>(left_ + scale_ * place(t, move.x0, move.x1));
+  };
+  const auto y = [&](Seconds t) {
+    return static_cast<float>(bottom_ - scale_ * place(t, move.y0, move.y1));
+  };
+  strokes_.push_back({x(begin), y(begin), x(end), y(end), sigma_px_});
+  const double dwell = (end - begin).count(), age = (until - begin).count();
+  for (const Layer& layer : layers_) {
+    const double share_of_gun = guns_ ? static_cast<double>(move.colour[layer.gun]) : 1;
+    const double dose = gain_ * dwell * static_cast<double>(move.intensity) * share_of_gun;
+    double light = 0;
+    for (const DecayTerm& term : layer.phosphor.terms) {
+      light += term.share * light_of_dose(0, age, dwell, term.tau.count());
+    }
+    weights_.push_back(static_cast<float>(dose * light));
+    for (const DecayTerm& term : layer.phosphor.terms) {
+      weights_.push_back(
+          static_cast<float>(dose * term.share * left_of_dose(age, dwell, term.tau.count())));
+    }
+  }
+}
+
+void VectorTube::add_move(const BeamMove& move, Seconds until) {
+  const Seconds begin = std::max(move.begin, now_), end = std::min(move.end, until);
+  if (!(move.intensity > 0) || end <= begin) return;
+  double parts = 1;
+  if (end > until - kFreshest) {
+    const double way = scale_ * std::hypot(move.x1 - move.x0, move.y1 - move.y0);
+    const double share = (end - begin) / (move.end - move.begin);
+    parts = std::clamp(std::ceil(way * share * kPartsAPixel), 1.0, kMostParts);
+  }
+  for (double i = 0; i < parts; ++i) {
+    const Seconds from = begin + (end - begin) * (i / parts);
+    add_stroke(move, from, begin + (end - begin) * ((i + 1) / parts), until);
+  }
+}
+
+void VectorTube::compose(Workers& workers) {
+  workers.run(light_.tiles(), [&](int number, int) {
+    const BeamTile tile = light_.tile(number);
+    const int right = std::min(tile.x + kBeamTile, picture_.width());
+    const int bottom = std::min(tile.y + kBeamTile, picture_.height());
+    for (int y = tile.y; y < bottom; ++y) {
+      LinearRgb* const row = picture_.row(y);
+      std::fill(row + tile.x, row + right, LinearRgb{});
+      for (const Layer& layer : layers_) {
+        if (!light_.lit(number)) break;
+        const float* light = light_.plane(number, layer.first_plane) + (y - tile.y) * kBeamTile;
+        for (int x = tile.x; x < right; ++x, ++light) {
+          row[x].r += *light * layer.colour[0];
+          row[x].g += *light * layer.colour[1];
+          row[x].b += *light * layer.colour[2];
+        }
+      }
+    }
+  });
+}
+
+const Image<LinearRgb>& VectorTube::expose(std::span<const BeamMove> moves, Seconds end,
+                                           Workers& workers) {
+  assert(end >= now_);
+  lasting_.insert(lasting_.end(), moves.begin(), moves.end());
+  strokes_.clear();
+  weights_.clear();
+  for (const BeamMove& move : lasting_) add_move(move, end);
+  std::erase_if(lasting_, [&](const BeamMove& move) { return move.end <= end; });
+  fade(end - now_, workers);
+  painter_.draw(strokes_, weights_, light_, workers);
+  compose(workers);
+  now_ = end;
+  return picture_;
+}
+
+}  // namespace kinescope

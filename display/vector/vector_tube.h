@@ -1,0 +1,55 @@
+// The vector tube: what a beam's moves leave on a phosphor, and exposures of its light.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "display/phosphor.h"
+#include "display/vector/beam_move.h"
+#include "display/vector/beam_painter.h"
+#include "display/vector/machine.h"
+#include "raster/base/workers.h"
+#include "raster/image/image.h"
+
+namespace kinescope {
+
+/// The light of [now, end) of each exposure, which must follow each other without gaps. 1 is what a
+/// full current leaves in the middle of a line that it draws once, at the machine's usual speed.
+/// Modelled: the spot, the phosphor's decay, colour. Not: settling, ringing, growth of the spot.
+class VectorTube {
+ public:
+  /// @param width, height of the picture, pixels; the machine's points lie in its middle, squares
+  VectorTube(const VectorMachine& machine, int width, int height);
+
+  Seconds now() const { return now_; }
+  /// @param moves those that begin before `end` and were not yet given; what lasts longer is kept
+  /// @return valid until the next call
+  const Image<LinearRgb>& expose(std::span<const BeamMove> moves, Seconds end, Workers& workers);
+
+ private:
+  struct Layer {
+    Phosphor phosphor;
+    std::array<float, 3> colour;
+    std::size_t gun;
+    int first_plane;  // its light; light to come of each term follows
+  };
+  void fade(Seconds length, Workers& workers);
+  void add_stroke(const BeamMove& move, Seconds begin, Seconds end, Seconds until);
+  void add_move(const BeamMove& move, Seconds until);
+  void compose(Workers& workers);
+
+  std::vector<Layer> layers_;
+  bool guns_ = false;
+  double scale_, left_, bottom_;  // pixels a device unit; where (0, 0) lies, pixels
+  float sigma_px_;
+  double gain_;  // light a second of full current
+  Seconds now_{0};
+  TiledLight light_;
+  BeamPainter painter_;
+  std::vector<BeamMove> lasting_;  // moves that had not ended by now
+  std::vector<BeamStroke> strokes_;
+  std::vector<float> weights_;
+  Image<LinearRgb> picture_;
+};
+
+}  // namespace kinescope

@@ -1,0 +1,93 @@
+#include "display/vector/vector_tube.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "display/vector/assembler.h"
+#include "display/vector/display_processor.h"
+
+namespace kinescope {
+namespace {
+
+VectorMachine small_machine() {
+  VectorMachine m = find_vector_machine("generic");
+  m.width = m.height = 100;
+  m.screen_mm = 100;
+  m.spot_sigma_mm = 1;
+  m.speed_units_us = 1;
+  return m;
+}
+
+/// A line in the middle, drawn once from t in 80 us, at the machine's usual speed.
+BeamMove line_at(Seconds t) {
+  return {10, 50.5, 90, 50.5, t, t + microseconds(80), 1, {1, 1, 1}, 0};
+}
+
+double sum_of(const Image<LinearRgb>& picture) {
+  double sum = 0;
+  for (const LinearRgb& p : picture.pixels()) sum += static_cast<double>(p.g);
+  return sum;
+}
+
+TEST(VectorTube, ALineAtTheUsualSpeedIsAsBrightAsWhite) {
+  VectorTube tube(small_machine(), 100, 100);
+  Workers workers(1);
+  const std::vector<BeamMove> moves{line_at(Seconds(0))};
+  const Image<LinearRgb>& picture = tube.expose(moves, Seconds(10), workers);
+  // A pixel sees a twentieth less than the very middle of a spot of one pixel.
+  EXPECT_NEAR(picture.at(50, 49).g, 0.96f, 0.01f);
+  EXPECT_EQ(picture.at(50, 20).g, 0);
+}
+
+TEST(VectorTube, SlicesAddUpToTheWhole) {
+  Workers workers(2);
+  std::vector<BeamMove> moves;
+  for (int i = 0; i < 5; ++i) moves.push_back(line_at(microseconds(300 * i)));
+  VectorTube once(small_machine(), 100, 100), often(small_machine(), 100, 100);
+  const Image<LinearRgb> whole = once.expose(moves, milliseconds(20), workers);
+  Image<LinearRgb> sum(100, 100);
+  std::size_t next = 0;
+  for (int i = 1; i <= 400; ++i) {
+    const Seconds end = microseconds(50 * i);
+    std::vector<BeamMove> now;
+    while (next < moves.size() && moves[next].begin < end) now.push_back(moves[next++]);
+    const Image<LinearRgb>& slice = often.expose(now, end, workers);
+    for (std::size_t p = 0; p < sum.pixels().size(); ++p) sum.pixels()[p].g += slice.pixels()[p].g;
+  }
+  EXPECT_NEAR(sum_of(sum), sum_of(whole), 1e-4 * sum_of(whole));
+  const float peak = whole.at(50, 49).g;
+  for (std::size_t p = 0; p < sum.pixels().size(); ++p) {
+    ASSERT_NEAR(sum.pixels()[p].g, whole.pixels()[p].g, 2e-3f * peak);
+  }
+}
+
+TEST(VectorTube, LightDecaysAsThePhosphorSays) {
+  Workers workers(1);
+  VectorTube tube(small_machine(), 100, 100);
+  const std::vector<BeamMove> moves{line_at(Seconds(0))};
+  const double first = sum_of(tube.expose(moves, milliseconds(1), workers));
+  const double rest = sum_of(tube.expose({}, Seconds(5), workers));
+  const Phosphor& phosphor = find_phosphor("P31").layers[0];
+  double left = 0;
+  for (const DecayTerm& t : phosphor.terms) left += t.share * std::exp(-960e-6 / t.tau.count());
+  EXPECT_NEAR(rest / (first + rest), left, 2e-3);
+}
+
+TEST(VectorTube, AListTooLongFlickers) {
+  Workers workers(1);
+  // 30 ms a refresh: of frames of 10 ms, two of three draw nothing of the line.
+  VectorTube tube(small_machine(), 100, 100);
+  std::vector<double> frames;
+  for (int i = 0; i < 30; ++i) {
+    std::vector<BeamMove> moves;
+    if (i % 3 == 0) moves.push_back(line_at(milliseconds(10 * i + 1)));
+    frames.push_back(sum_of(tube.expose(moves, milliseconds(10 * (i + 1)), workers)));
+  }
+  const auto [least, most] = std::minmax_element(frames.end() - 3, frames.end());
+  EXPECT_LT(*least, 0.1 * *most);
+}
+
+}  // namespace
+}  // namespace kinescope
