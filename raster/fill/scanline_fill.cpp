@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "raster/base/error.h"
@@ -30,7 +31,7 @@ std::int32_t snapped(double v) { return static_cast<std::int32_t>(std::floor(v *
 
 // Columns become positive, so that keys sort as numbers.
 std::uint64_t key(int column, std::uint64_t place) {
-  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(column) ^ 0x80000000u) << 32 | place;
+  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(column + (1 << 23))) << 32 | place;
 }
 
 }  // namespace
@@ -120,7 +121,27 @@ void ScanlineFill::advance() {
 void ScanlineFill::sort() {
   order_.resize(active_.size());
   for (std::size_t i = 0; i < active_.size(); ++i) order_[i] = key(active_[i].column, i);
-  std::sort(order_.begin(), order_.end());
+  constexpr std::size_t kMany = 256;  // from where on counting digits costs less than comparing
+  if (order_.size() < kMany) {
+    std::sort(order_.begin(), order_.end());
+  } else {
+    sort_by_digits();
+  }
+}
+
+// Columns within the limits and a step beyond have 24 bits: three digits of 8, the lowest first.
+void ScanlineFill::sort_by_digits() {
+  sorted_.resize(order_.size());
+  for (int shift = 32; shift < 32 + 24; shift += 8) {
+    const auto digit = [shift](std::uint64_t k) {
+      return static_cast<std::size_t>(k >> shift & 255);
+    };
+    std::array<std::uint32_t, 257> starts{};
+    for (const std::uint64_t k : order_) ++starts[digit(k) + 1];
+    for (std::size_t d = 0; d < 256; ++d) starts[d + 1] += starts[d];
+    for (const std::uint64_t k : order_) sorted_[starts[digit(k)]++] = k;
+    order_.swap(sorted_);
+  }
 }
 
 void ScanlineFill::find_spans() {

@@ -70,6 +70,7 @@ class ScanlineFill {
   void advance();
   void activate(std::uint32_t index);
   void sort();
+  void sort_by_digits();
   void find_spans();
 
   PixelRect window_;
@@ -79,6 +80,7 @@ class ScanlineFill {
   std::size_t next_edge_ = 0;
   std::vector<ActiveEdge> active_;
   std::vector<std::uint64_t> order_;  // column, then place in active_
+  std::vector<std::uint64_t> sorted_;
   std::vector<RowSpan> spans_;
   int y_ = 0;
   bool begun_ = false;
