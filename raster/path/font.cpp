@@ -102,6 +102,30 @@ void scan_convert(FT_Outline& outline, Glyph& glyph) {
   });
 }
 
+glm::vec2 in_units(const FT_Vector* p) {
+  return {static_cast<float>(p->x), static_cast<float>(p->y)};
+}
+
+constexpr FT_Outline_Funcs kIntoPath{
+    [](const FT_Vector* to, void* user) {
+      static_cast<Path*>(user)->move_to(in_units(to));
+      return 0;
+    },
+    [](const FT_Vector* to, void* user) {
+      static_cast<Path*>(user)->line_to(in_units(to));
+      return 0;
+    },
+    [](const FT_Vector* control, const FT_Vector* to, void* user) {
+      static_cast<Path*>(user)->quadratic_to(in_units(control), in_units(to));
+      return 0;
+    },
+    [](const FT_Vector* a, const FT_Vector* b, const FT_Vector* to, void* user) {
+      static_cast<Path*>(user)->cubic_to(in_units(a), in_units(b), in_units(to));
+      return 0;
+    },
+    0,
+    0};
+
 std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
@@ -203,6 +227,17 @@ float Font::line_height_px(float size_px) const {
   return size_px * static_cast<float>(state_->face->height) /
          static_cast<float>(state_->face->units_per_EM);
 }
+
+Path Font::outline(char32_t code) const {
+  Path path;
+  const FT_Face face = state_->face;
+  if (FT_Load_Char(face, code, FT_LOAD_NO_SCALE)) return path;
+  if (face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) return path;
+  FT_Outline_Decompose(&face->glyph->outline, &kIntoPath, &path);
+  return path;
+}
+
+float Font::units_per_em() const { return static_cast<float>(state_->face->units_per_EM); }
 
 float Font::draw(Image<Srgb8>& picture, float x_px, float y_px, std::string_view text,
                  float size_px, Srgb8 colour) const {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "raster/image/image.h"
+#include "raster/path/path.h"
 
 namespace kinescope {
 
@@ -27,6 +28,11 @@ class Font {
   float width_px(std::string_view text, float size_px) const;
   float ascent_px(float size_px) const;
   float line_height_px(float size_px) const;
+
+  /// A character's outline in the font's own units, y upwards, not hinted; that of the font's mark
+  /// for missing characters if it lacks it.
+  Path outline(char32_t code) const;
+  float units_per_em() const;
 
   /// Draws one line with its baseline starting at (x, y), blended in linear light, clipped.
   /// @return the pen's x after the text
