@@ -3,9 +3,10 @@
 namespace kinescope {
 namespace {
 
-/// Where the whole line meets a side. From the line's own ends, so that errors do not add up.
-glm::dvec2 crossing(const ClipWindow& window, const Segment2& line, Outcode side) {
-  const glm::dvec2 a = line.from, d = line.to - line.from;
+/// Where a line through the outer end meets a side. Along the whole line's direction, so that
+/// errors do not add up; from the end that moves, so that a second cut never takes it back outside.
+glm::dvec2 crossing(const ClipWindow& window, const glm::dvec2& a, const glm::dvec2& d,
+                    Outcode side) {
   if (side == kOutAbove || side == kOutBelow) {
     const double y = side == kOutAbove ? window.max.y : window.min.y;
     return {a.x + d.x * ((y - a.y) / d.y), y};
@@ -45,8 +46,9 @@ bool CohenSutherland::next() {
       break;
     }
   }
-  (moved_from ? segment.from : segment.to) = crossing(window_, line_, side);
-  (moved_from ? from_code : to_code) = outcode(window_, moved_from ? segment.from : segment.to);
+  glm::dvec2& end = moved_from ? segment.from : segment.to;
+  end = crossing(window_, end, line_.to - line_.from, side);
+  (moved_from ? from_code : to_code) = outcode(window_, end);
   ++steps;
   return true;
 }

@@ -94,7 +94,7 @@ TEST(Clip2D, EveryClipperAgreesWithExactFractions) {
       };
       const Vec from = at(want.enter) - got->from, to = at(want.leave) - got->to;
       ASSERT_LE(std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y)}),
-                5e-14);
+                2e-13);
     }
   }
   EXPECT_GT(kept, 50'000);
