@@ -1,0 +1,196 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/fractals/brownian.h"
+#include "engine/fractals/compression.h"
+#include "engine/fractals/deep_zoom.h"
+#include "engine/fractals/dimension.h"
+#include "engine/fractals/dla.h"
+#include "engine/fractals/escape_time.h"
+#include "engine/fractals/gasket.h"
+#include "engine/fractals/ifs.h"
+#include "engine/fractals/plasma.h"
+#include "engine/fractals/turtle.h"
+#include "raster/base/error.h"
+#include "raster/base/simd.h"
+#include "raster/base/workers.h"
+
+namespace kinescope {
+namespace {
+
+using Vec = glm::dvec2;
+
+std::ptrdiff_t letters(const std::string& name, int generations, const std::string& which) {
+  const std::string s = l_system_string(l_system_preset(name), generations);
+  return std::count_if(s.begin(), s.end(),
+                       [&](char c) { return which.find(c) != std::string::npos; });
+}
+
+TEST(LSystem, WorkedExamples) {
+  EXPECT_EQ(letters("quadratic-koch", 2, "F"), 25);
+  EXPECT_EQ(letters("quadratic-koch", 3, "F"), 125);
+  EXPECT_EQ(letters("sierpinski-arrowhead", 2, "FG"), 9);
+  EXPECT_EQ(letters("sierpinski-arrowhead", 4, "FG"), 81);
+  EXPECT_EQ(letters("sierpinski-arrowhead", 6, "FG"), 729);
+  EXPECT_EQ(letters("sierpinski-arrowhead", 9, "FG"), 19683);
+  EXPECT_EQ(letters("dragon", 10, "F"), 1024);
+  EXPECT_EQ(letters("plant", 6, "F"), 6048);
+  EXPECT_EQ(l_system_counts(l_system_preset("plant"), 6).at('F'), 6048u);
+  EXPECT_NEAR(similarity_dimension(5, 1.0 / 3), 1.465, 5e-4);
+  EXPECT_NEAR(similarity_dimension(3, 0.5), 1.585, 5e-4);
+}
+
+TEST(LSystem, KochKeepsItsEnds) {
+  Vec last(0);
+  int segments = 0;
+  draw_l_system(l_system_preset("koch"), 5, [&](const Vec& a, const Vec& b) {
+    EXPECT_NEAR(glm::distance(a, last), 0, 1e-12);
+    last = b;
+    ++segments;
+  });
+  EXPECT_EQ(segments, 1024);
+  EXPECT_NEAR(glm::distance(last, Vec(1, 0)), 0, 1e-12);
+}
+
+TEST(LSystem, WithoutEndIsRefused) {
+  const LSystem doubling{"", "F", {{'F', "FF"}}, 90, 0, 1};
+  EXPECT_THROW(l_system_string(doubling, 1'000'000, 1000), Error);
+  EXPECT_EQ(l_system_string({"", "A", {}, 90, 0, 1}, 2'000'000'000), "A");
+  EXPECT_THROW(read_l_system("F -> FF"), Error);
+  EXPECT_THROW(read_l_system("axiom F\nangle x"), Error);
+  EXPECT_THROW(read_l_system("axiom F\nFG -> F"), Error);
+  EXPECT_EQ(read_l_system("axiom F # here\nF -> F + F").rules.at('F'), "F+F");
+  EXPECT_THROW(l_system_preset("none"), Error);
+  Turtle turtle("]]]F[", 1, 90);
+  while (turtle.next([](const Vec&, const Vec&) {})) {
+  }
+  EXPECT_EQ(turtle.state.position, Vec(1, 0));
+}
+
+TEST(Gasket, CountsAndSizes) {
+  int pieces = 0;
+  double length = 0;
+  cantor_set(0, 1, 5, [&](double a, double b) { ++pieces, length += b - a; });
+  EXPECT_EQ(pieces, 32);
+  EXPECT_NEAR(length, std::pow(2.0 / 3, 5), 1e-14);
+  int triangles = 0, squares = 0, solids = 0;
+  sierpinski_triangle({Vec(0, 0), Vec(1, 0), Vec(0, 1)}, 5, [&](const Triangle2&) { ++triangles; });
+  sierpinski_carpet({0, 0}, {1, 1}, 3, [&](const Vec&, const Vec&) { ++squares; });
+  sierpinski_tetrahedron({}, 4, [&](const Tetrahedron&) { ++solids; });
+  EXPECT_EQ(triangles, 243);
+  EXPECT_EQ(squares, 512);
+  EXPECT_EQ(solids, 256);
+}
+
+TEST(Dimension, BoxesAndRulersFindTheKnownOnes) {
+  std::vector<Vec> points;
+  chaos_game(triangle_ifs(), 1, 400'000, [&](const Vec& p) { points.push_back(p); });
+  const std::vector<double> sizes = {0.25, 0.125, 0.0625, 0.03125, 0.015625};
+  EXPECT_NEAR(fit_dimension(count_boxes(points, sizes)).dimension, std::log2(3.0), 0.06);
+  std::vector<Vec> coast = {{0, 0}};
+  draw_l_system(l_system_preset("koch"), 7, [&](const Vec&, const Vec& b) { coast.push_back(b); });
+  std::vector<Covering> walks;
+  for (double ruler = 0.2; ruler > 0.005; ruler /= 1.5) {
+    walks.push_back({ruler, walk_coast(coast, ruler).steps});
+  }
+  EXPECT_NEAR(fit_dimension(walks).dimension, std::log(4.0) / std::log(3.0), 0.05);
+  EXPECT_THROW(walk_coast(coast, 0), Error);
+  EXPECT_THROW(walk_coast(coast, NAN), Error);
+}
+
+TEST(EscapeTime, EveryInstructionSetAgreesWithTheReference) {
+  EscapeView view;
+  view.width = 203;
+  view.height = 31;
+  view.step = 3.0 / 203;
+  view.most = 200;
+  for (const bool julia : {false, true}) {
+    if (julia) view.julia = Vec(-0.8, 0.156);
+    for (const std::string& target : simd_targets()) {
+      use_simd_target(target);
+      std::vector<std::int32_t> row(203);
+      for (int j = 0; j < view.height; ++j) {
+        escape_row(view, j, row.data());
+        for (int i = 0; i < view.width; ++i) {
+          ASSERT_EQ(row[static_cast<std::size_t>(i)], escape_time(view, i, j)) << target;
+        }
+      }
+    }
+    use_simd_target("best");
+  }
+  Workers workers(1);
+  view.width = 0;
+  EXPECT_THROW(escape_times(view, workers), Error);
+}
+
+// About i and -i, whose neighbourhoods escape after some hundred iterations.
+TEST(DeepZoom, AgreesWithArbitraryPrecisionAtTenToTheMinusHundred) {
+  Workers workers(2);
+  for (const auto& [x, y] : {std::pair("0", "1"), std::pair("0", "-1")}) {
+    DeepView view;
+    view.centre_x = x;
+    view.centre_y = y;
+    view.width = 21;
+    view.height = 15;
+    const auto times = deep_escape_times(view, workers);
+    int differ = 0;
+    for (int j = 0; j < view.height; ++j) {
+      for (int i = 0; i < view.width; ++i) {
+        const std::int32_t got = times[static_cast<std::size_t>(j * view.width + i)];
+        differ += got != exact_escape_time(view, view.offset(i, j));
+      }
+    }
+    EXPECT_EQ(differ, 0);
+    EXPECT_GT(*std::min_element(times.begin(), times.end()), 100);
+  }
+  DeepView bad;
+  bad.centre_x = "x";
+  EXPECT_THROW(reference_orbit(bad), Error);
+  bad.step = 0;
+  EXPECT_THROW(deep_precision_bits(bad), Error);
+}
+
+TEST(Random, PlasmaAggregationAndBrownianMotion) {
+  EXPECT_EQ(plasma(5, 0.5, 3).height, plasma(5, 0.5, 3).height);
+  EXPECT_THROW(plasma(13, 0.5, 1), Error);
+  EXPECT_THROW(plasma(3, NAN, 1), Error);
+  double square = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    Vec last(0);
+    brownian_path(seed, 100, [&](const Vec& p) { last = p; });
+    square += glm::dot(last, last) / 400;
+  }
+  EXPECT_NEAR(square, 200, 40);
+  Aggregation cluster(64, 5);
+  while (cluster.next()) {
+    const glm::ivec2 p = cluster.particles.back();
+    ASSERT_TRUE(cluster.occupied(p.x, p.y));
+  }
+  EXPECT_GT(cluster.particles.size(), 50u);
+  EXPECT_THROW(Aggregation(1, 1), Error);
+  EXPECT_THROW(ChaosGame({}, 1), Error);
+}
+
+TEST(FractalCompression, SettlesNearThePicture) {
+  GreySquare p{32, {}};
+  for (int k = 0; k < 32 * 32; ++k) {
+    p.level.push_back(0.5f + 0.4f * std::sin(0.2f * static_cast<float>(k % 32)) *
+                                 std::cos(0.15f * static_cast<float>(k / 32)));
+  }
+  Workers workers(2);
+  FractalDecoder decoder(compress_fractally(p, 4, 4, workers));
+  for (int i = 0; i < 60; ++i) decoder.next();
+  EXPECT_LT(decoder.next(), 1e-3f);
+  double error = 0;
+  for (std::size_t i = 0; i < p.level.size(); ++i) {
+    error += std::pow(p.level[i] - decoder.picture.level[i], 2) / 1024;
+  }
+  EXPECT_LT(error, 1e-3);
+  EXPECT_THROW(compress_fractally(p, 5, 4, workers), Error);
+}
+
+}  // namespace
+}  // namespace kinescope
