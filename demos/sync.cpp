@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "demos/demo.h"
-#include "demos/gamma_correction.h"
 #include "demos/monitor.h"
-#include "demos/test_card.h"
+#include "demos/tube_pictures.h"
 #include "demos/ui/canvas.h"
 #include "demos/ui/theme.h"
-#include "display/patterns/patterns.h"
 #include "display/tube/preset.h"
 
 namespace kinescope {
@@ -25,12 +23,6 @@ constexpr double kRipple = 0.03;  // of half the picture's width
 // How far from the sync's rate an oscillator may run and still be pulled along.
 constexpr double kHoldsFields = 0.03, kHoldsLines = 0.01;
 
-std::vector<std::string> picture_names() {
-  std::vector<std::string> names = {"test card"};
-  for (const TestPattern& pattern : test_patterns()) names.emplace_back(pattern.name);
-  return names;
-}
-
 class Sync : public ClonableDemo<Sync> {
  public:
   explicit Sync(const DemoSetup& setup)
@@ -38,7 +30,7 @@ class Sync : public ClonableDemo<Sync> {
             setup,
             {choice_knob("set", {"t"}, {kSets.begin(), kSets.end()}, 0,
                          "the tube; on the slow one a rolling picture leaves a trail"),
-             choice_knob("picture", {"p"}, picture_names(), 0, "what is sent to it"),
+             choice_knob("picture", {"p"}, tube_picture_names(), 0, "what is sent to it"),
              toggle_knob("sync", "y", false,
                          "the picture's sync pulls oscillators along that are nearly right"),
              number_knob("vertical hold", "1", "2", -8, 8, 0.1, -0.4, "Hz",
@@ -93,16 +85,10 @@ class Sync : public ClonableDemo<Sync> {
     for (const Knob& knob : knobs()) now.push_back(knob.value);
     if (now == turned_) return;
     const bool same = monitor_.adjust(turned_settings(), step.exposure.begin);
-    if (!same || turned_.empty() || now[kPicture] != turned_[kPicture]) show();
+    if (!same || turned_.empty() || now[kPicture] != turned_[kPicture]) {
+      monitor_.show(tube_picture(knob(kPicture).index(), preset(), studio()));
+    }
     turned_ = std::move(now);
-  }
-
-  void show() {
-    const int width = monitor_.buffer().width(), height = monitor_.buffer().height();
-    const auto which = static_cast<std::size_t>(knob(kPicture).index());
-    if (which > 0) return monitor_.show(test_patterns()[which - 1].draw(width, height));
-    GammaCorrection correct(preset().gun.gamma);
-    monitor_.show(correct(test_card(studio(), width, height)));
   }
 
   std::string caption() const {

@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "demos/demo.h"
-#include "demos/gamma_correction.h"
 #include "demos/monitor.h"
-#include "demos/test_card.h"
 #include "demos/tube_dials.h"
-#include "display/patterns/patterns.h"
+#include "demos/tube_pictures.h"
 #include "display/tube/preset.h"
 
 namespace kinescope {
@@ -36,17 +34,11 @@ int index_of(std::string_view name) {
   return index;
 }
 
-std::vector<std::string> picture_names() {
-  std::vector<std::string> names = {"test card"};
-  for (const TestPattern& pattern : test_patterns()) names.emplace_back(pattern.name);
-  return names;
-}
-
 std::vector<Knob> all_knobs() {
   std::vector<Knob> knobs = {
       choice_knob("tube", {"t"}, tube_names(), index_of("vga-14"),
                   "the preset that all other knobs start from"),
-      choice_knob("picture", {"p"}, picture_names(), 0, "what it shows"),
+      choice_knob("picture", {"p"}, tube_picture_names(), 0, "what it shows"),
       choice_knob("mask", {"m"},
                   {"its own", "none", "dots 0.31 mm", "grille 0.25 mm", "slots 0.75 mm"}, 0,
                   "the shadow mask of a colour tube"),
@@ -87,17 +79,11 @@ class Tube : public ClonableDemo<Tube> {
     for (const Knob& knob : knobs()) now.push_back(knob.value);
     if (now == turned_) return;
     const bool same = monitor_.adjust(turned_settings(), step.exposure.begin);
-    if (!same || turned_.empty() || now[kPicture] != turned_[kPicture]) show();
-    turned_ = std::move(now);
-  }
-
-  void show() {
-    const int width = monitor_.buffer().width(), height = monitor_.buffer().height();
-    if (choice(kPicture) > 0) {
-      return monitor_.show(test_patterns()[choice(kPicture) - 1].draw(width, height));
+    if (!same || turned_.empty() || now[kPicture] != turned_[kPicture]) {
+      const TubeSettings& preset = tube_presets()[choice(kTube)].settings;
+      monitor_.show(tube_picture(knob(kPicture).index(), preset, studio()));
     }
-    GammaCorrection correct(tube_presets()[choice(kTube)].settings.gun.gamma);
-    monitor_.show(correct(test_card(studio(), width, height)));
+    turned_ = std::move(now);
   }
 
   void draw(const Step& step, Image<Srgb8>& picture) override {
