@@ -6,7 +6,6 @@
 
 #include "engine/fractals/brownian.h"
 #include "engine/fractals/compression.h"
-#include "engine/fractals/deep_zoom.h"
 #include "engine/fractals/dimension.h"
 #include "engine/fractals/dla.h"
 #include "engine/fractals/escape_time.h"
@@ -124,33 +123,6 @@ TEST(EscapeTime, EveryInstructionSetAgreesWithTheReference) {
   Workers workers(1);
   view.width = 0;
   EXPECT_THROW(escape_times(view, workers), Error);
-}
-
-// About i and -i, whose neighbourhoods escape after some hundred iterations.
-TEST(DeepZoom, AgreesWithArbitraryPrecisionAtTenToTheMinusHundred) {
-  Workers workers(2);
-  for (const auto& [x, y] : {std::pair("0", "1"), std::pair("0", "-1")}) {
-    DeepView view;
-    view.centre_x = x;
-    view.centre_y = y;
-    view.width = 21;
-    view.height = 15;
-    const auto times = deep_escape_times(view, workers);
-    int differ = 0;
-    for (int j = 0; j < view.height; ++j) {
-      for (int i = 0; i < view.width; ++i) {
-        const std::int32_t got = times[static_cast<std::size_t>(j * view.width + i)];
-        differ += got != exact_escape_time(view, view.offset(i, j));
-      }
-    }
-    EXPECT_EQ(differ, 0);
-    EXPECT_GT(*std::min_element(times.begin(), times.end()), 100);
-  }
-  DeepView bad;
-  bad.centre_x = "x";
-  EXPECT_THROW(reference_orbit(bad), Error);
-  bad.step = 0;
-  EXPECT_THROW(deep_precision_bits(bad), Error);
 }
 
 TEST(Random, PlasmaAggregationAndBrownianMotion) {
