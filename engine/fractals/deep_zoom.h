@@ -27,15 +27,23 @@ struct DeepView {
 /// Bits of mantissa that tell the view's pixels apart, with some to spare.
 int deep_precision_bits(const DeepView& view);
 
-/// z_0 = 0, z_1 = c, ... of the view's centre, rounded to doubles, until |z| > 2 or `most`
-/// iterations. @throws Error (bad input) unless the centre is two decimal numbers
-std::vector<glm::dvec2> reference_orbit(const DeepView& view);
+/// A point of the orbit that is followed in arbitrary precision, rounded.
+struct OrbitPoint {
+  glm::dvec2 z;
+  double excess;  ///< |z|^2 - 4 of the point before it was rounded
+};
+
+/// z_0 = 0, z_1 = c, ... of the view's centre, until |z| > 4 or `most` iterations: a pixel that
+/// stays where the centre leaves then lies so far from it that it may go on alone.
+/// @throws Error (bad input) unless the centre is two decimal numbers
+std::vector<OrbitPoint> reference_orbit(const DeepView& view);
 
 /// Escape time of the point at an offset from the orbit's. Where the point comes nearer to 0 than
-/// to the orbit, it goes on from the orbit's start: so no pixel is a glitch. Only where an orbit
-/// rests on |z| = 2 itself, as at -2, does a difference below a double's spacing escape some steps
-/// late.
-int perturbed_escape_time(const std::vector<glm::dvec2>& orbit, const glm::dvec2& offset, int most);
+/// to the orbit, it goes on from the orbit's start: so no pixel is a glitch. Near |z| = 2 the
+/// difference itself decides, however far below a double's spacing: the orbit of -2 rests there.
+/// What differs from another pixel by less than a double's rounding of its offset is not told
+/// apart.
+int perturbed_escape_time(const std::vector<OrbitPoint>& orbit, const glm::dvec2& offset, int most);
 
 /// All pixels, on all workers. @throws Error (bad input) as reference_orbit, or for sizes that
 ///                                        are not positive, or a step out of range

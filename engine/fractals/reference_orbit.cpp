@@ -56,12 +56,18 @@ class Orbit {
     mpfr_add(x_.get(), x_.get(), cx_.get(), MPFR_RNDN);
   }
   glm::dvec2 z() const { return {x_.rounded(), y_.rounded()}; }
-  /// |z| > 2, decided in full precision.
-  bool escaped() {
+  /// |z|^2 - 4, rounded only at the end.
+  double excess() {
     mpfr_sqr(xx_.get(), x_.get(), MPFR_RNDN);
     mpfr_sqr(yy_.get(), y_.get(), MPFR_RNDN);
     mpfr_add(xx_.get(), xx_.get(), yy_.get(), MPFR_RNDN);
-    return mpfr_cmp_ui(xx_.get(), 4) > 0;
+    mpfr_sub_ui(xx_.get(), xx_.get(), 4, MPFR_RNDN);
+    return xx_.rounded();
+  }
+  /// |z| > 2, decided in full precision.
+  bool escaped() {
+    excess();
+    return mpfr_sgn(xx_.get()) > 0;
   }
 
  private:
@@ -71,14 +77,14 @@ class Orbit {
 
 }  // namespace
 
-std::vector<glm::dvec2> reference_orbit(const DeepView& view) {
+std::vector<OrbitPoint> reference_orbit(const DeepView& view) {
   const int bits = deep_precision_bits(view);
   Big cx(view.centre_x, bits), cy(view.centre_y, bits);
   Orbit orbit(cx, cy, bits);
-  std::vector<glm::dvec2> points = {orbit.z()};
-  for (int n = 0; n < view.most && !orbit.escaped(); ++n) {
+  std::vector<OrbitPoint> points = {{orbit.z(), orbit.excess()}};
+  for (int n = 0; n < view.most && points.back().excess <= 12.0; ++n) {
     orbit.step();
-    points.push_back(orbit.z());
+    points.push_back({orbit.z(), orbit.excess()});
   }
   return points;
 }

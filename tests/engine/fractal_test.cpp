@@ -6,7 +6,6 @@
 
 #include "engine/fractals/brownian.h"
 #include "engine/fractals/compression.h"
-#include "engine/fractals/deep_zoom.h"
 #include "engine/fractals/dimension.h"
 #include "engine/fractals/dla.h"
 #include "engine/fractals/escape_time.h"
@@ -126,33 +125,6 @@ TEST(EscapeTime, EveryInstructionSetAgreesWithTheReference) {
   EXPECT_THROW(escape_times(view, workers), Error);
 }
 
-// About i and -i, whose neighbourhoods escape after some hundred iterations.
-TEST(DeepZoom, AgreesWithArbitraryPrecisionAtTenToTheMinusHundred) {
-  Workers workers(2);
-  for (const auto& [x, y] : {std::pair("0", "1"), std::pair("0", "-1")}) {
-    DeepView view;
-    view.centre_x = x;
-    view.centre_y = y;
-    view.width = 21;
-    view.height = 15;
-    const auto times = deep_escape_times(view, workers);
-    int differ = 0;
-    for (int j = 0; j < view.height; ++j) {
-      for (int i = 0; i < view.width; ++i) {
-        const std::int32_t got = times[static_cast<std::size_t>(j * view.width + i)];
-        differ += got != exact_escape_time(view, view.offset(i, j));
-      }
-    }
-    EXPECT_EQ(differ, 0);
-    EXPECT_GT(*std::min_element(times.begin(), times.end()), 100);
-  }
-  DeepView bad;
-  bad.centre_x = "x";
-  EXPECT_THROW(reference_orbit(bad), Error);
-  bad.step = 0;
-  EXPECT_THROW(deep_precision_bits(bad), Error);
-}
-
 TEST(Random, PlasmaAggregationAndBrownianMotion) {
   EXPECT_EQ(plasma(5, 0.5, 3).height, plasma(5, 0.5, 3).height);
   EXPECT_THROW(plasma(13, 0.5, 1), Error);
@@ -172,6 +144,64 @@ TEST(Random, PlasmaAggregationAndBrownianMotion) {
   EXPECT_GT(cluster.particles.size(), 50u);
   EXPECT_THROW(Aggregation(1, 1), Error);
   EXPECT_THROW(ChaosGame({}, 1), Error);
+}
+
+TEST(MidpointLine, HalvesAndKeepsWhatWasThere) {
+  MidpointLine line(0.5, 3);
+  EXPECT_EQ(line.heights.size(), 2u);
+  EXPECT_EQ(line.heights[0], 0.0);
+  for (std::size_t level = 1; level <= 6; ++level) {
+    const std::vector<double> coarse = line.heights;
+    ASSERT_TRUE(line.next());
+    ASSERT_EQ(line.heights.size(), (std::size_t{1} << level) + 1);
+    for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_EQ(line.heights[2 * i], coarse[i]);
+  }
+  MidpointLine again(0.5, 3);
+  for (int level = 0; level < 6; ++level) again.next();
+  EXPECT_EQ(line.heights, again.heights);
+}
+
+// By the definition of fractional motion, heights t apart differ by t^hurst in the root mean
+// square: of neighbours this holds at every level.
+TEST(MidpointLine, DifferencesFollowHurstsExponent) {
+  for (const double hurst : {0.25, 0.5, 0.75}) {
+    double half = 0, fine = 0;
+    const int lines = 4000;
+    for (int seed = 0; seed < lines; ++seed) {
+      MidpointLine line(hurst, static_cast<std::uint64_t>(seed));
+      line.next();
+      half += std::pow(line.heights[1] - line.heights[0], 2) / lines;
+      for (int level = 1; level < 5; ++level) line.next();
+      for (std::size_t i = 0; i < 32; ++i) {
+        fine += std::pow(line.heights[i + 1] - line.heights[i], 2) / 32 / lines;
+      }
+    }
+    EXPECT_NEAR(half / std::exp2(-2 * hurst), 1, 0.1) << hurst;
+    EXPECT_NEAR(fine / std::exp2(-10 * hurst), 1, 0.1) << hurst;
+  }
+}
+
+TEST(Landscape, CoversTheSquareFacingUpAndNothingLiesBelowTheSea) {
+  const HeightField field = plasma(4, 0.6, 9);
+  const double sea = 0.1, relief = 0.5;
+  int triangles = 0, drowned = 0;
+  double area = 0;
+  landscape_triangles(field, relief, sea, [&](const auto& a, const auto& b, const auto& c) {
+    ++triangles;
+    const double twice = glm::cross(b - a, c - a).z;
+    EXPECT_GT(twice, 0);
+    area += twice / 2;
+    for (const glm::dvec3& p : {a, b, c}) {
+      const double h = field.at(static_cast<int>(std::lround(p.x * 16)),
+                                static_cast<int>(std::lround(p.y * 16)));
+      EXPECT_EQ(p.z, relief * std::max(h, sea));
+      drowned += h < sea;
+    }
+  });
+  EXPECT_EQ(triangles, 2 * 16 * 16);
+  EXPECT_NEAR(area, 1, 1e-12);
+  EXPECT_GT(drowned, 0);
+  EXPECT_LT(drowned, 3 * triangles);
 }
 
 TEST(FractalCompression, SettlesNearThePicture) {
