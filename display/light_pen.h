@@ -22,7 +22,6 @@ struct LightPenSettings {
   double threshold = 0.4;  ///< of the pulse that a lone white line below its axis gives
   Seconds rise{100e-9};    ///< time constants of its amplifier: by how much it lags,
   Seconds coupling{1e-6};  ///< and how soon steady light counts as none
-  bool operator==(const LightPenSettings&) const = default;
 };
 
 /// A pixel by its place in the scan.

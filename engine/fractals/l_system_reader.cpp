@@ -74,7 +74,8 @@ struct LineReader {
 }  // namespace
 
 LSystem read_l_system(std::string_view text, const std::string& file) {
-  LineReader reader{{}, file, {}};
+  LineReader reader;
+  reader.file = file;
   int number = 0;
   while (!text.empty()) {
     const auto end = text.find('\n');
