@@ -128,7 +128,10 @@ bool DemoScreen::tick(int frames_per_second) {
 }
 
 void DemoScreen::compose(int frames_per_second) {
-  frame_ = player_.picture();
+  const Image<Srgb8>& picture = player_.picture();
+  frame_.resize(picture.width(), picture.height());
+  run_rows(studio_->workers, picture.height(),
+           [&](int y) { std::copy_n(picture.row(y), picture.width(), frame_.row(y)); });
   shown_rate_ = frames_per_second;
   if (show_panel_ && !show_help_) panel_.lay(info_, player_.demo(), *studio_, frame_);
   if (show_help_) help_.lay(info_, player_.demo().knobs(), *studio_, frame_);

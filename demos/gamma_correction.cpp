@@ -12,13 +12,13 @@ GammaCorrection::GammaCorrection(double tube_gamma) {
   }
 }
 
-const Image<Srgb8>& GammaCorrection::operator()(const Image<Srgb8>& picture) {
-  if (corrected_.width() != picture.width() || corrected_.height() != picture.height()) {
-    corrected_ = Image<Srgb8>(picture.width(), picture.height());
-  }
-  const auto from = picture.pixels();
-  std::transform(from.begin(), from.end(), corrected_.pixels().begin(), [this](Srgb8 c) {
-    return Srgb8{drive_[c.r], drive_[c.g], drive_[c.b], c.a};
+const Image<Srgb8>& GammaCorrection::operator()(const Image<Srgb8>& picture, Workers& workers) {
+  corrected_.resize(picture.width(), picture.height());
+  run_rows(workers, picture.height(), [&](int y) {
+    const Srgb8* from = picture.row(y);
+    std::transform(from, from + picture.width(), corrected_.row(y), [this](Srgb8 c) {
+      return Srgb8{drive_[c.r], drive_[c.g], drive_[c.b], c.a};
+    });
   });
   return corrected_;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "raster/base/workers.h"
 #include "raster/image/image.h"
 
 namespace kinescope {
@@ -14,7 +15,7 @@ class GammaCorrection {
  public:
   explicit GammaCorrection(double tube_gamma);
   /// The picture as gun drive. @return valid until the next call
-  const Image<Srgb8>& operator()(const Image<Srgb8>& picture);
+  const Image<Srgb8>& operator()(const Image<Srgb8>& picture, Workers& workers);
 
  private:
   std::array<std::uint8_t, 256> drive_{};

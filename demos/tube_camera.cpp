@@ -48,7 +48,7 @@ TubeCamera::TubeCamera(const TubeSettings& settings, int width, int height, Sour
 void TubeCamera::show(std::int64_t refresh) {
   refresh_ = refresh;
   const Image<Srgb8>& picture = source_(refresh);
-  buffer_.store(0, signal_ == TubeSignal::kPicture ? correct_(picture) : picture);
+  buffer_.store(0, signal_ == TubeSignal::kPicture ? correct_(picture, workers_) : picture);
 }
 
 void TubeCamera::settle() {

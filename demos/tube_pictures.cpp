@@ -12,11 +12,11 @@ std::vector<std::string> tube_picture_names() {
   return names;
 }
 
-Image<Srgb8> tube_picture(int which, const TubeSettings& tube, const Studio& studio) {
+Image<Srgb8> tube_picture(int which, const TubeSettings& tube, Studio& studio) {
   const int width = tube.mode.horizontal.active, height = tube.mode.vertical.active;
   if (which > 0) return test_patterns()[static_cast<std::size_t>(which - 1)].draw(width, height);
   GammaCorrection correct(tube.gun.gamma);
-  return correct(test_card(studio, width, height));
+  return correct(test_card(studio, width, height), studio.workers);
 }
 
 }  // namespace kinescope

@@ -14,6 +14,6 @@ namespace kinescope {
 std::vector<std::string> tube_picture_names();
 /// Gun drive of the mode's size. A pattern is drive as it is; the card is corrected for the gun.
 /// @param which of the names
-Image<Srgb8> tube_picture(int which, const TubeSettings& tube, const Studio& studio);
+Image<Srgb8> tube_picture(int which, const TubeSettings& tube, Studio& studio);
 
 }  // namespace kinescope

@@ -28,7 +28,7 @@ class TubeView {
   void expose(const Step& step, Workers& workers, const Render& render, Image<Srgb8>& picture) {
     const VideoMode& mode = monitor_.scan().mode();
     if (monitor_.frame_begins(step)) {
-      monitor_.show((*correct_)(render(mode.horizontal.active, mode.vertical.active)));
+      monitor_.show((*correct_)(render(mode.horizontal.active, mode.vertical.active), workers));
     }
     monitor_.expose(step, workers, picture);
   }

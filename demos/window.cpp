@@ -54,7 +54,7 @@ bool leaves(Presenter& presenter, const InputEvent& event) {
 
 /// Shows a screen until it is done, left with Escape, or the window is closed. Where the machine is
 /// slow, ticks come later: simulated time lags, nothing freezes.
-Outcome run(Presenter& presenter, Screen& screen) {
+Outcome run(Presenter& presenter, Screen& screen, Workers& workers) {
   InputEvent size;
   size.kind = InputKind::kResize;
   size.x = presenter.width();
@@ -71,7 +71,7 @@ Outcome run(Presenter& presenter, Screen& screen) {
     if (screen.done()) return Outcome::kDone;
     if (now() < next) continue;
     next = std::max(next + screen.tick_length(), now() - screen.tick_length());
-    if (screen.tick(meter.rate())) presenter.present(screen.frame());
+    if (screen.tick(meter.rate())) presenter.present(screen.frame(), workers);
     meter.count();
   }
 }
@@ -81,7 +81,7 @@ Outcome run_demo(Presenter& presenter, const std::shared_ptr<Studio>& studio, co
   presenter.set_title("kinescope: " + std::string(info.name));
   DemoScreen screen(
       info, {studio, std::max(64, presenter.width()), std::max(48, presenter.height()), seed});
-  return run(presenter, screen);
+  return run(presenter, screen, studio->workers);
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ int run_gallery_window(const DemoOptions& options) {
   Gallery gallery(studio, presenter.width(), presenter.height(), options.seed);
   while (true) {
     presenter.set_title("kinescope");
-    if (run(presenter, gallery) != Outcome::kDone) return 0;
+    if (run(presenter, gallery, studio->workers) != Outcome::kDone) return 0;
     const auto choice = gallery.take_choice();
     if (run_demo(presenter, studio, all_demos()[*choice], options.seed) == Outcome::kClosed)
       return 0;
@@ -112,9 +112,9 @@ int run_film_window(const Options& options, const DisplayPlan& plan,
   Presenter presenter("kinescope: " + name, plan.shot.size.width, plan.shot.size.height);
   const WindowPace pace = window_pace(options.picture.shutter, presenter.refresh(), plan.refresh);
   if (!pace.remark.empty()) print_remark(pace.remark, options.common.quiet);
-  FilmScreen screen(name, plan, std::move(feed), pace,
-                    std::make_shared<Studio>(options.common.threads));
-  run(presenter, screen);
+  const auto studio = std::make_shared<Studio>(options.common.threads);
+  FilmScreen screen(name, plan, std::move(feed), pace, studio);
+  run(presenter, screen, studio->workers);
   return 0;
 }
 

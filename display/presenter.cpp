@@ -67,21 +67,21 @@ void set_modifiers(InputEvent& event) {
 }
 
 /// Copies the part of the picture that lies in the surface, centred, as the surface packs pixels.
-void copy_centred(const Image<Srgb8>& picture, SDL_Surface& surface) {
+void copy_centred(const Image<Srgb8>& picture, SDL_Surface& surface, Workers& workers) {
   const int width = std::min(picture.width(), surface.w);
   const int height = std::min(picture.height(), surface.h);
   const int from_x = (picture.width() - width) / 2, to_x = (surface.w - width) / 2;
   const int from_y = (picture.height() - height) / 2, to_y = (surface.h - height) / 2;
   const SDL_PixelFormat& format = *surface.format;
   const WordLayout layout{format.Rshift, format.Gshift, format.Bshift};
-  for (int y = 0; y < height; ++y) {
+  run_rows(workers, height, [&](int y) {
     const Srgb8* in = picture.row(from_y + y) + from_x;
     auto* out = reinterpret_cast<Uint32*>(static_cast<Uint8*>(surface.pixels) +
                                           static_cast<std::ptrdiff_t>(to_y + y) * surface.pitch) +
                 to_x;
     pack_words({in, static_cast<std::size_t>(width)}, layout,
                {out, static_cast<std::size_t>(width)});
-  }
+  });
 }
 
 }  // namespace
@@ -164,13 +164,13 @@ void Presenter::set_title(const std::string& title) {
   SDL_SetWindowTitle(state_->window, title.c_str());
 }
 
-void Presenter::present(const Image<Srgb8>& picture) {
+void Presenter::present(const Image<Srgb8>& picture, Workers& workers) {
   SDL_Surface& surface = state_->surface();
   if (surface.format->BytesPerPixel != 4) fail("the window's pixels are not of 32 bits");
   if (SDL_MUSTLOCK(&surface)) SDL_LockSurface(&surface);
   const bool covers = picture.width() >= surface.w && picture.height() >= surface.h;
   if (!covers) SDL_FillRect(&surface, nullptr, 0);
-  copy_centred(picture, surface);
+  copy_centred(picture, surface, workers);
   if (SDL_MUSTLOCK(&surface)) SDL_UnlockSurface(&surface);
   // A failure here means that the window is being resized: the next picture fits again.
   SDL_UpdateWindowSurface(state_->window);

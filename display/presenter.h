@@ -7,6 +7,7 @@
 
 #include "display/input.h"
 #include "raster/base/units.h"
+#include "raster/base/workers.h"
 #include "raster/image/image.h"
 
 namespace kinescope {
@@ -28,7 +29,7 @@ class Presenter {
   bool full_screen() const;
   void set_title(const std::string& title);
   /// Shows the picture, centred if its size differs from the window's.
-  void present(const Image<Srgb8>& picture);
+  void present(const Image<Srgb8>& picture, Workers& workers);
   /// Events since the last call; waits up to `wait` for the first one.
   std::vector<InputEvent> poll(Seconds wait = Seconds(0));
 

@@ -1,6 +1,7 @@
 // A fixed team of threads that shares out numbered tasks. The only file behind which TBB stands.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -27,5 +28,15 @@ class Workers {
   int count_;
   std::unique_ptr<Backend> backend_;
 };
+
+/// Calls row(y) for each y in [0, rows), many rows a task.
+template <typename Row>
+void run_rows(Workers& workers, int rows, const Row& row) {
+  constexpr int kRowsATask = 64;
+  workers.run((rows + kRowsATask - 1) / kRowsATask, [&](int task, int) {
+    const int end = std::min(rows, (task + 1) * kRowsATask);
+    for (int y = task * kRowsATask; y < end; ++y) row(y);
+  });
+}
 
 }  // namespace kinescope

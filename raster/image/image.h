@@ -17,6 +17,13 @@ class Image {
   Image(int width, int height, Pixel fill = Pixel{})
       : width_(width), height_(height), pixels_(size_of(width, height), fill) {}
 
+  /// Of the new size; what the pixels are then is not said.
+  void resize(int width, int height) {
+    pixels_.resize(size_of(width, height));
+    width_ = width;
+    height_ = height;
+  }
+
   int width() const { return width_; }
   int height() const { return height_; }
   bool empty() const { return pixels_.empty(); }

@@ -15,8 +15,9 @@ TEST(GammaCorrection, TheTubesLightIsThePictures) {
     const auto code = static_cast<std::uint8_t>(i);
     ramp.at(i, 0) = {code, static_cast<std::uint8_t>(255 - i), 0, 255};
   }
+  Workers workers(2);
   GammaCorrection correct(kGamma);
-  const Image<Srgb8>& drive = correct(ramp);
+  const Image<Srgb8>& drive = correct(ramp, workers);
   const auto light = [](double code) { return std::pow(std::max(0.0, code) / 255, kGamma); };
   for (int i = 0; i < 256; ++i) {
     const double wanted = srgb_decode(static_cast<float>(i) / 255);

@@ -125,7 +125,7 @@ class PresenterWindow : public ::testing::Test {
     presenter_.emplace("kinescope test", 320, 240);
     // No window manager gives the focus: keys go to the window under the pointer.
     ASSERT_TRUE(run("xdotool mousemove 400 300"));
-    presenter_->present(Image<Srgb8>(320, 240));
+    presenter_->present(Image<Srgb8>(320, 240), workers_);
     presenter_->poll(milliseconds(50));
   }
   void TearDown() override {
@@ -134,6 +134,7 @@ class PresenterWindow : public ::testing::Test {
   }
   std::optional<VirtualServer> server_;
   std::optional<Presenter> presenter_;
+  Workers workers_{2};
 };
 
 TEST_F(PresenterWindow, ShowsPicturesPixelByPixel) {
@@ -144,7 +145,7 @@ TEST_F(PresenterWindow, ShowsPicturesPixelByPixel) {
   picture.at(0, 0) = {255, 0, 0};
   picture.at(319, 0) = {0, 255, 0};
   picture.at(0, 239) = {0, 0, 255};
-  presenter_->present(picture);
+  presenter_->present(picture, workers_);
   const auto screen = dump_screen();
   ASSERT_TRUE(screen);
   // Centred on 800x600.
@@ -155,7 +156,7 @@ TEST_F(PresenterWindow, ShowsPicturesPixelByPixel) {
 }
 
 TEST_F(PresenterWindow, CentresPicturesOfOtherSizes) {
-  presenter_->present(Image<Srgb8>(100, 40, Srgb8{200, 100, 50}));
+  presenter_->present(Image<Srgb8>(100, 40, Srgb8{200, 100, 50}), workers_);
   const auto small = dump_screen();
   ASSERT_TRUE(small);
   EXPECT_EQ(small->at(400, 300), (Srgb8{200, 100, 50}));
@@ -164,7 +165,7 @@ TEST_F(PresenterWindow, CentresPicturesOfOtherSizes) {
   EXPECT_EQ(small->at(400, 279), (Srgb8{0, 0, 0}));
   Image<Srgb8> large(640, 480, Srgb8{1, 2, 3});
   large.at(320, 240) = {9, 9, 9};
-  presenter_->present(large);
+  presenter_->present(large, workers_);
   const auto cut = dump_screen();
   ASSERT_TRUE(cut);
   EXPECT_EQ(cut->at(400, 300), (Srgb8{9, 9, 9}));
@@ -216,7 +217,7 @@ TEST_F(PresenterWindow, TellsMouseWheelAndSize) {
   ASSERT_FALSE(sized.empty());
   EXPECT_EQ(presenter_->width(), 400);
   EXPECT_EQ(presenter_->height(), 260);
-  presenter_->present(Image<Srgb8>(400, 260, Srgb8{77, 88, 99}));
+  presenter_->present(Image<Srgb8>(400, 260, Srgb8{77, 88, 99}), workers_);
   const auto screen = dump_screen();
   ASSERT_TRUE(screen);
   EXPECT_EQ(screen->at(240 + 399, 180 + 259), (Srgb8{77, 88, 99}));
@@ -227,7 +228,7 @@ TEST_F(PresenterWindow, GoesFullScreenAndBack) {
   presenter_->set_full_screen(true);
   EXPECT_TRUE(presenter_->full_screen());
   presenter_->poll(milliseconds(50));
-  presenter_->present(Image<Srgb8>(presenter_->width(), presenter_->height()));
+  presenter_->present(Image<Srgb8>(presenter_->width(), presenter_->height()), workers_);
   presenter_->set_full_screen(false);
   EXPECT_FALSE(presenter_->full_screen());
 }
@@ -237,9 +238,10 @@ TEST(Presenter, WorksWithSdlsDummyDriver) {
   EXPECT_TRUE(Presenter::available());
   {
     Presenter presenter("dummy", 64, 48);
+    Workers workers(2);
     EXPECT_EQ(presenter.width(), 64);
     presenter.set_title("another");
-    presenter.present(Image<Srgb8>(64, 48));
+    presenter.present(Image<Srgb8>(64, 48), workers);
     presenter.poll();
   }
   unsetenv("SDL_VIDEODRIVER");
