@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -48,13 +47,11 @@ Point measured(const Options& options, const Workload& workload, Point at) {
   for (int frame = 0; frame < options.pairs + kWarmUp; ++frame) {
     const Camera camera =
         workload.camera(frame, static_cast<float>(at.width) / static_cast<float>(at.height));
-    const auto start = std::chrono::steady_clock::now();
-    at.stats = renderer.render(workload.scene, camera, settings, target).raster;
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
+    const double ours = milliseconds_of(
+        [&] { at.stats = renderer.render(workload.scene, camera, settings, target).raster; });
     const double theirs = peer.draw(camera);
     if (frame < kWarmUp) continue;
-    ours_ms.push_back(elapsed.count());
+    ours_ms.push_back(ours);
     peer_ms.push_back(theirs);
   }
   at.workload = workload.name;

@@ -1,6 +1,5 @@
 // Dithers of a 12-megapixel picture beside ImageMagick's `convert`, one thread each: its time with
 // the dither less its time without, medians of interleaved runs.
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -19,14 +18,6 @@ namespace kinescope::bench {
 namespace {
 
 constexpr int kWidth = 4000, kHeight = 3000, kPairs = 5;
-
-template <typename Body>
-double time_ms(Body&& body) {
-  const auto start = std::chrono::steady_clock::now();
-  body();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
 
 GreyImage picture() {
   GreyImage image(kWidth, kHeight);
@@ -53,9 +44,9 @@ template <typename Ours>
 void contest(const char* name, const std::string& file, const std::string& options, Ours&& ours) {
   std::vector<double> our_ms, their_ms, ratios;
   for (int i = 0; i < kPairs; ++i) {
-    const double a = time_ms(ours);
-    const double with = time_ms([&] { convert(file, options); });
-    const double without = time_ms([&] { convert(file, ""); });
+    const double a = milliseconds_of(ours);
+    const double with = milliseconds_of([&] { convert(file, options); });
+    const double without = milliseconds_of([&] { convert(file, ""); });
     our_ms.push_back(a);
     their_ms.push_back(with - without);
     ratios.push_back((with - without) / a);

@@ -1,7 +1,6 @@
 // Anti-aliased lines beside AGG's outline renderer, filled paths beside Cairo: same pictures,
 // interleaved in one process.
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -56,14 +55,6 @@ struct Contest {
   std::function<Image<Linear8>()> peer_picture;
 };
 
-template <typename Draw>
-double time_ms(Draw&& draw) {
-  const auto start = std::chrono::steady_clock::now();
-  draw();
-  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  return time.count();
-}
-
 /// Linear8 holds codes here, as both peers' pixels do.
 void save(const Options& options, const std::string& name, const Image<Linear8>& picture) {
   Image<Srgb8> stored(picture.width(), picture.height());
@@ -82,8 +73,8 @@ Row run(const Options& options, int width, int height, const Contest& contest, i
   for (int i = 0; i < options.pairs + kWarmUp; ++i) {
     std::fill(picture.pixels().begin(), picture.pixels().end(), contest.ground);
     contest.clear_peer();
-    const double our_ms = time_ms([&] { contest.ours(workers, picture); });
-    const double peer_ms = time_ms(contest.draw_peer);
+    const double our_ms = milliseconds_of([&] { contest.ours(workers, picture); });
+    const double peer_ms = milliseconds_of(contest.draw_peer);
     if (i < kWarmUp) continue;
     ours.push_back(our_ms);
     theirs.push_back(peer_ms);

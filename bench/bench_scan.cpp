@@ -3,7 +3,6 @@
 #include <SDL.h>
 #include <cairo.h>
 
-#include <chrono>
 #include <cstdio>
 #include <glm/common.hpp>
 #include <random>
@@ -21,19 +20,11 @@ namespace {
 
 constexpr int kWidth = 1920, kHeight = 1080, kPairs = 9;
 
-template <typename Body>
-double time_ms(Body&& body) {
-  const auto start = std::chrono::steady_clock::now();
-  body();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
-
 template <typename Ours, typename Theirs>
 void contest(const char* name, const char* peer, Ours&& ours, Theirs&& theirs) {
   std::vector<double> our_ms, their_ms, ratios;
   for (int i = 0; i < kPairs + 1; ++i) {
-    const double a = time_ms(ours), b = time_ms(theirs);
+    const double a = milliseconds_of(ours), b = milliseconds_of(theirs);
     if (i == 0) continue;  // warms up
     our_ms.push_back(a);
     their_ms.push_back(b);
@@ -134,7 +125,7 @@ void maze() {
     }
   }
   std::int64_t pixels = 0, deepest = 0;
-  const double ms = time_ms([&] {
+  const double ms = milliseconds_of([&] {
     auto fill = flood_filler(image, 1, 1, Connectivity::kFour);
     while (fill.next()) {
       pixels += fill.span().length();

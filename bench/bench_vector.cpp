@@ -1,7 +1,6 @@
 // The vector beam: vectors of mean length 20 pixels and a spot of deviation 1 pixel onto a picture,
 // the wall time of the whole picture.
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -53,11 +52,11 @@ Row measure(const Options& o, const std::vector<BeamStroke>& strokes, int thread
   BeamPainter painter;
   std::vector<double> times;
   for (int run = 0; run < o.runs + 1; ++run) {
-    const auto began = std::chrono::steady_clock::now();
-    light.clear();
-    painter.draw(strokes, weights, light, workers);
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - began;
-    if (run > 0) times.push_back(time.count());
+    const double ms = milliseconds_of([&] {
+      light.clear();
+      painter.draw(strokes, weights, light, workers);
+    });
+    if (run > 0) times.push_back(ms);
   }
   const double ms = median(times);
   return {threads, planes, ms, 1e3 * o.vectors / ms};

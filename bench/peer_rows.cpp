@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "bench/peer_llvmpipe.h"
 #include "bench/triangle_field.h"
 #include "engine/renderer.h"
@@ -15,14 +13,6 @@ namespace {
 /// Codes by which two rasterizers may round a colour apart before a pixel counts as different.
 constexpr int kTolerance = 4;
 constexpr int kWarmUp = 2;
-
-template <typename Work>
-double milliseconds_of(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
 
 /// Our side of a pair.
 struct Ours {

@@ -1,6 +1,7 @@
 // Figures of paired timings and of two pictures.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -9,6 +10,14 @@
 namespace kinescope::bench {
 
 double median(std::vector<double> values);
+
+template <typename Work>
+double milliseconds_of(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
 
 struct PictureDifference {
   std::int64_t pixels_differing = 0;  ///< any channel more than `tolerance` codes apart

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "demos/demo.h"
+#include "demos/followed_knobs.h"
 #include "demos/monitor.h"
 #include "demos/tube_dials.h"
 #include "demos/ui/theme.h"
@@ -75,20 +76,17 @@ class Masks : public ClonableDemo<Masks> {
     return s;
   }
 
-  void resized() override { turned_.clear(); }
+  void resized() override { followed_.forget(); }
 
   void update(const Step& step) override {
-    std::vector<double> now;
-    for (const Knob& knob : knobs()) now.push_back(knob.value);
-    if (now == turned_) return;
-    const bool laid = !turned_.empty() && now[kWhich] == turned_[kWhich];
+    if (!followed_.follow(knobs())) return;
+    const bool laid = !followed_.turned(kWhich);
     if (!laid) lay_panes();
     for (Pane& pane : panes_) {
       pane.monitor.adjust(settings(*pane.mask, pane.monitor.face().width), step.exposure.begin);
       if (!laid) pane.monitor.switch_on(step.exposure.begin);
-      if (!laid || now[kLight] != turned_[kLight]) pane.monitor.show(light());
+      if (followed_.turned(kLight) || !laid) pane.monitor.show(light());
     }
-    turned_ = std::move(now);
   }
 
   void lay_panes() {
@@ -135,7 +133,7 @@ class Masks : public ClonableDemo<Masks> {
 
   VideoMode mode_ = parse_mode("640x480@60");
   std::vector<Pane> panes_;
-  std::vector<double> turned_;  // the knobs as the panes last followed them; none: to be laid out
+  FollowedKnobs followed_;
 };
 
 std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Masks>(setup); }

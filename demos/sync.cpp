@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "demos/demo.h"
+#include "demos/followed_knobs.h"
 #include "demos/monitor.h"
 #include "demos/tube_pictures.h"
 #include "demos/ui/canvas.h"
@@ -81,14 +82,11 @@ class Sync : public ClonableDemo<Sync> {
   void resized() override { monitor_.resize(room()); }
 
   void update(const Step& step) override {
-    std::vector<double> now;
-    for (const Knob& knob : knobs()) now.push_back(knob.value);
-    if (now == turned_) return;
+    if (!followed_.follow(knobs())) return;
     const bool same = monitor_.adjust(turned_settings(), step.exposure.begin);
-    if (!same || turned_.empty() || now[kPicture] != turned_[kPicture]) {
+    if (!same || followed_.turned(kPicture)) {
       monitor_.show(tube_picture(knob(kPicture).index(), preset(), studio()));
     }
-    turned_ = std::move(now);
   }
 
   std::string caption() const {
@@ -116,7 +114,7 @@ class Sync : public ClonableDemo<Sync> {
   }
 
   Monitor monitor_;
-  std::vector<double> turned_;  // the knobs as the tube last followed them
+  FollowedKnobs followed_;
 };
 
 std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Sync>(setup); }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "demos/demo.h"
+#include "demos/followed_knobs.h"
 #include "demos/monitor.h"
 #include "demos/tube_dials.h"
 #include "demos/tube_pictures.h"
@@ -75,15 +76,12 @@ class Tube : public ClonableDemo<Tube> {
   void resized() override { monitor_.resize(whole_picture(*this)); }
 
   void update(const Step& step) override {
-    std::vector<double> now;
-    for (const Knob& knob : knobs()) now.push_back(knob.value);
-    if (now == turned_) return;
+    if (!followed_.follow(knobs())) return;
     const bool same = monitor_.adjust(turned_settings(), step.exposure.begin);
-    if (!same || turned_.empty() || now[kPicture] != turned_[kPicture]) {
+    if (!same || followed_.turned(kPicture)) {
       const TubeSettings& preset = tube_presets()[choice(kTube)].settings;
       monitor_.show(tube_picture(knob(kPicture).index(), preset, studio()));
     }
-    turned_ = std::move(now);
   }
 
   void draw(const Step& step, Image<Srgb8>& picture) override {
@@ -91,7 +89,7 @@ class Tube : public ClonableDemo<Tube> {
   }
 
   Monitor monitor_;
-  std::vector<double> turned_;  // the knobs as the tube last followed them
+  FollowedKnobs followed_;
 };
 
 std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Tube>(setup); }

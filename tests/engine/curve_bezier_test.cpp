@@ -12,19 +12,13 @@
 #include "engine/curves/continuity.h"
 #include "engine/curves/convex_hull.h"
 #include "engine/curves/cubic.h"
+#include "tests/engine/random_points.h"
 
 namespace kinescope {
 namespace {
 
 using Vec = glm::dvec2;
 using Points = std::vector<Vec>;
-
-Points random_points(std::mt19937& random, std::size_t count) {
-  std::uniform_real_distribution<double> u(-10, 10);
-  Points points(count);
-  for (Vec& p : points) p = {u(random), u(random)};
-  return points;
-}
 
 Vec at(const Points& control, double t) { return bezier_point(std::span<const Vec>(control), t); }
 

@@ -12,19 +12,13 @@
 #include "engine/curves/interpolating.h"
 #include "engine/curves/nurbs.h"
 #include "raster/base/error.h"
+#include "tests/engine/random_points.h"
 
 namespace kinescope {
 namespace {
 
 using Vec = glm::dvec2;
 using Points = std::vector<Vec>;
-
-Points random_points(std::mt19937& random, std::size_t count) {
-  std::uniform_real_distribution<double> u(-10, 10);
-  Points points(count);
-  for (Vec& p : points) p = {u(random), u(random)};
-  return points;
-}
 
 void expect_near(const Vec& a, const Vec& b, double tolerance = 1e-12) {
   EXPECT_LE(glm::distance(a, b), tolerance) << a.x << ' ' << a.y << " is not " << b.x << ' ' << b.y;

@@ -1,13 +1,11 @@
 // Bitmap and stroke fonts by hand and by law; outlines beside FreeType's own scan converter.
 #include <ft2build.h>
 #include <gtest/gtest.h>
-#include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
 #include <cmath>
 #include <limits>
 
-#include "dejavu_sans.h"
 #include "hershey_roman_simplex.h"
 #include "raster/base/error.h"
 #include "raster/characters/bitmap_font.h"
@@ -16,6 +14,7 @@
 #include "raster/line.h"
 #include "raster/path/font.h"
 #include "tests/raster/ascii.h"
+#include "tests/raster/free_type_face.h"
 
 namespace kinescope {
 namespace {
@@ -179,13 +178,8 @@ int differing(const Image<GlyphPixel>& ours, const std::vector<bool>& theirs) {
 
 // At small sizes every thin stroke falls between centres somewhere.
 TEST(CharactersOutline, FillsAndMendsAsFreeTypeDoes) {
-  FT_Library library;
-  FT_Face face;
-  ASSERT_EQ(FT_Init_FreeType(&library), 0);
-  const std::string_view bytes = embedded::dejavu_sans();
-  ASSERT_EQ(FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes.data()),
-                               static_cast<FT_Long>(bytes.size()), 0, &face),
-            0);
+  const FreeTypeFace oracle;
+  const FT_Face face = oracle.face();
   int filled = 0, fill_apart = 0, mended = 0, mend_apart = 0;
   for (const int size : {6, 7, 8, 9, 11, 14, 20, 29}) {
     FT_Set_Char_Size(face, 0, size * 64, 72, 72);
@@ -197,17 +191,16 @@ TEST(CharactersOutline, FillsAndMendsAsFreeTypeDoes) {
       scan.skip_fitting();
       ASSERT_TRUE(scan.next());
       ASSERT_EQ(scan.step(), GlyphScan::Step::kFill);
-      fill_apart +=
-          differing(scan.pixels(), by_freetype(library, outline, FT_OUTLINE_IGNORE_DROPOUTS));
+      fill_apart += differing(scan.pixels(),
+                              by_freetype(oracle.library(), outline, FT_OUTLINE_IGNORE_DROPOUTS));
       for (const GlyphPixel p : scan.pixels().pixels()) filled += p != GlyphPixel::kOff;
       ASSERT_TRUE(scan.next());
-      mend_apart +=
-          differing(scan.pixels(), by_freetype(library, outline, FT_OUTLINE_INCLUDE_STUBS));
+      mend_apart += differing(scan.pixels(),
+                              by_freetype(oracle.library(), outline, FT_OUTLINE_INCLUDE_STUBS));
       for (const GlyphPixel p : scan.pixels().pixels()) mended += p > GlyphPixel::kInside;
       ASSERT_FALSE(scan.next());
     }
   }
-  FT_Done_FreeType(library);
   RecordProperty("apart", std::to_string(fill_apart) + " of " + std::to_string(filled));
   EXPECT_GT(mended, 1000) << "the comparison means something";
   // It cuts curves otherwise.

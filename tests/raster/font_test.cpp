@@ -2,12 +2,11 @@
 
 #include <ft2build.h>
 #include <gtest/gtest.h>
-#include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-#include "dejavu_sans.h"
 #include "raster/base/error.h"
 #include "raster/path/utf8.h"
+#include "tests/raster/free_type_face.h"
 
 namespace kinescope {
 namespace {
@@ -52,13 +51,8 @@ std::vector<double> by_freetype(FT_Library library, FT_Outline& outline) {
 }
 
 TEST(Font, CoversPixelsAsFreeTypeDoes) {
-  FT_Library library;
-  FT_Face face;
-  ASSERT_EQ(FT_Init_FreeType(&library), 0);
-  const std::string_view bytes = embedded::dejavu_sans();
-  ASSERT_EQ(FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes.data()),
-                               static_cast<FT_Long>(bytes.size()), 0, &face),
-            0);
+  const FreeTypeFace oracle;
+  const FT_Face face = oracle.face();
   const Font font = Font::sans();
   double worst = 0;
   for (const int size : {12, 17, 32}) {
@@ -67,7 +61,7 @@ TEST(Font, CoversPixelsAsFreeTypeDoes) {
       ASSERT_EQ(FT_Load_Char(face, static_cast<FT_ULong>(letter),
                              FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP),
                 0);
-      const std::vector<double> theirs = by_freetype(library, face->glyph->outline);
+      const std::vector<double> theirs = by_freetype(oracle.library(), face->glyph->outline);
       const Image<Srgb8> ours =
           drawn(font, {&letter, 1}, static_cast<float>(size), kSide, kSide, kPenX, kBaseline);
       for (std::size_t i = 0; i < theirs.size(); ++i) {
@@ -78,7 +72,6 @@ TEST(Font, CoversPixelsAsFreeTypeDoes) {
     }
   }
   RecordProperty("worst", std::to_string(worst));
-  FT_Done_FreeType(library);
 }
 
 TEST(Font, WidthsScaleAndAddUp) {
