@@ -8,6 +8,7 @@
 
 #include "display/decay.h"
 #include "display/tube/line_ranges.h"
+#include "display/tube/video_signal.h"
 
 namespace kinescope {
 namespace {
@@ -21,23 +22,6 @@ constexpr int kLead = 4;  // lines by which a place is known ahead: what a spot'
 int cells_begun(BeamTime since_first, int cells) {
   const std::int64_t begun = (since_first.raw() + BeamTime::kOne - 1) >> BeamTime::kBits;
   return static_cast<int>(std::clamp<std::int64_t>(begun, 0, cells));
-}
-
-/// The frame's line that the video sends in its passing-th line, or -1 while it is blanked.
-int picture_line(const VideoMode& mode, int passing) {
-  const int active = mode.vertical.active;
-  if (!mode.interlaced) return passing < active ? passing : -1;
-  if (passing < (active + 1) / 2) return 2 * passing;
-  const int in_second = passing - (mode.vertical.total() + 1) / 2;
-  return in_second >= 0 && in_second < active / 2 ? 2 * in_second + 1 : -1;
-}
-
-void read_picture_line(const FrameBuffer& buffer, int line, std::vector<GunDrive>& out) {
-  if (line < 0 || line >= buffer.height()) {
-    std::fill(out.begin(), out.end(), GunDrive{});
-  } else {
-    buffer.read_line(line, out);
-  }
 }
 
 void clear(LayerLight& light, int line, int cells) {
@@ -108,35 +92,11 @@ BeamTime FreeRaster::line_begin(const SweptField& swept, int line) const {
   return BeamTime::from_raw(swept.first_line.raw() + line * sweep_.line_period().raw());
 }
 
-/// What the video sends while the sweep draws a line: the middle of each cell says which pixel.
-void FreeRaster::read_video(const RasterScan& scan, const FrameBuffer& buffer, BeamTime line_begin,
-                            Scratch& s) const {
-  const VideoMode& mode = scan.mode();
-  const double step = sweep_.video_clocks(), total = mode.horizontal.total();
-  const double clock = (to_clocks(line_begin) + 0.5) * step;
-  double passed = std::floor(clock / total);
-  double pixel = clock - passed * total;
-  const double lines = mode.vertical.total();
-  const auto read = [&] {
-    const int in_frame = static_cast<int>(passed - std::floor(passed / lines) * lines);
-    read_picture_line(buffer, picture_line(mode, in_frame), s.video);
-  };
-  read();
-  for (GunDrive& drive : s.drives) {
-    if (pixel >= total) {
-      pixel -= total;
-      passed += 1;
-      read();
-    }
-    const std::size_t at = static_cast<std::size_t>(pixel);
-    drive = at < s.video.size() ? s.video[at] : GunDrive{};
-    pixel += step;
-  }
-}
-
 void FreeRaster::read_line(const RasterScan& scan, const FrameBuffer& buffer, int line,
                            Scratch& s) {
-  read_video(scan, buffer, line_begin(fields_.back().swept, line), s);
+  const double step = sweep_.video_clocks();
+  const double begin = to_clocks(line_begin(fields_.back().swept, line));
+  read_video(scan, buffer, (begin + 0.5) * step, step, s.video, s.drives);
   float sum = 0;
   for (std::size_t i = 0; i < signals_.size(); ++i) {
     float* const narrow = doses_[i].narrow.line(line);
@@ -243,21 +203,19 @@ void FreeRaster::pass_sweep(const RasterScan& scan, const FrameBuffer& buffer, B
 }
 
 /// Lays the field's light of this pass on the screen.
-void FreeRaster::show(Field& field, const Screen& screen, LightOverlay& sum,
-                      Workers& workers) const {
-  const auto rasters = screen.bent(field.warp);
+void FreeRaster::show(Field& field, const GunRasters& rasters, const Screen& screen,
+                      LightOverlay& sum, Workers& workers) const {
   for (std::size_t i = 0; i < layers_.size(); ++i) {
-    screen.spread(*rasters, i, field.light[i], workers, sum[i]);
+    screen.spread(rasters, i, field.light[i], workers, sum[i]);
     for (int line = 0; line < lines_; ++line) clear(field.light[i], line, cells_);
   }
 }
 
-void FreeRaster::leave(Field& field, BeamTime now, const Screen& screen, Afterglow& afterglow,
-                       Workers& workers) const {
-  const auto rasters = screen.bent(field.warp);
+void FreeRaster::leave(Field& field, const GunRasters& rasters, const Screen& screen,
+                       Afterglow& afterglow, Workers& workers) const {
   const double hz = sweep_.clock_hz();
   const BeamTime last = line_begin(field.swept, field.swept.lines) - clocks(1);
-  const Seconds since_last{std::max(0.0, to_clocks(now - last)) / hz};
+  const Seconds since_last{std::max(0.0, to_clocks(now_ - last)) / hz};
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     LayerLight& light = field.light[i];
     for (std::size_t term = 0; term < laws_[i].terms.size(); ++term) {
@@ -267,19 +225,21 @@ void FreeRaster::leave(Field& field, BeamTime now, const Screen& screen, Aftergl
         const int stop = std::min(field.swept.lines, (task + 1) * kLinesATask);
         for (int line = task * kLinesATask; line < stop; ++line) {
           const BeamTime at = line_begin(field.swept, line);
-          const CellRange begun{0, cells_begun(now - at, cells_), to_clocks(now - at), false, 0};
+          const CellRange begun{0, cells_begun(now_ - at, cells_), to_clocks(now_ - at), false, 0};
           field.phosphor[i].leave(term, line, begun,
                                   {light.narrow.line(line), light.wide.line(line)});
         }
       });
-      screen.spread(*rasters, i, light, workers, afterglow.open(i, term));
+      screen.spread(rasters, i, light, workers, afterglow.open(i, term));
     }
     for (int line = 0; line < lines_; ++line) clear(light, line, cells_);
   }
 }
 
 void FreeRaster::leave(const Screen& screen, Afterglow& afterglow, Workers& workers) {
-  for (Field& field : fields_) leave(field, now_, screen, afterglow, workers);
+  for (Field& field : fields_) {
+    leave(field, *screen.bent(field.warp), screen, afterglow, workers);
+  }
   fields_.clear();
 }
 
@@ -292,8 +252,9 @@ void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begi
     while (now_ < until) {
       if (fields_.empty() || fields_.back().swept.end <= now_) {
         if (fields_.size() == 2) {
-          show(fields_.front(), screen, sum, workers);
-          leave(fields_.front(), now_, screen, afterglow, workers);
+          const auto rasters = screen.bent(fields_.front().warp);
+          show(fields_.front(), *rasters, screen, sum, workers);
+          leave(fields_.front(), *rasters, screen, afterglow, workers);
         }
         begin_field(sweep_.field_at(now_));
       }
@@ -310,7 +271,7 @@ void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begi
     buffer.vertical_retrace();
   }
   pass_to(end);
-  for (Field& field : fields_) show(field, screen, sum, workers);
+  for (Field& field : fields_) show(field, *screen.bent(field.warp), screen, sum, workers);
 }
 
 }  // namespace kinescope

@@ -56,15 +56,14 @@ class FreeRaster {
   void pass_sweep(const RasterScan& scan, const FrameBuffer& buffer, BeamTime begin, BeamTime end,
                   Workers& workers);
   void read_line(const RasterScan& scan, const FrameBuffer& buffer, int line, Scratch& scratch);
-  void read_video(const RasterScan& scan, const FrameBuffer& buffer, BeamTime line_begin,
-                  Scratch& scratch) const;
   void weigh_doses(const Field& field, int line);
   void bend_line(int line, double load);
   void load_voltage(BeamTime begin, BeamTime end);
   void pass_line(Field& field, BeamTime begin, BeamTime end, int line, Scratch& scratch);
   BeamTime line_begin(const SweptField& swept, int line) const;
-  void show(Field& field, const Screen& screen, LightOverlay& sum, Workers& workers) const;
-  void leave(Field& field, BeamTime now, const Screen& screen, Afterglow& afterglow,
+  void show(Field& field, const GunRasters& rasters, const Screen& screen, LightOverlay& sum,
+            Workers& workers) const;
+  void leave(Field& field, const GunRasters& rasters, const Screen& screen, Afterglow& afterglow,
              Workers& workers) const;
 
   TubeSettings settings_;
