@@ -7,6 +7,7 @@ function(kinescope_library name)
   add_library(${name} STATIC ${sources})
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${ARGN})
+  kinescope_precompile(${name} library_headers)
 endfunction()
 
 # kinescope_knows_folders(FILES...): sources that find the repository and the programs. Only these:
@@ -16,6 +17,13 @@ function(kinescope_knows_folders)
     KINESCOPE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" KINESCOPE_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
 endfunction()
 
+# What tests are compiled with: most of what they do, they do once.
+function(kinescope_test_options name)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT KINESCOPE_SANITIZE)
+    target_compile_options(${name} PRIVATE -O1)
+  endif()
+endfunction()
+
 # kinescope_tests(NAME libs...): every .cpp below the folder becomes one GoogleTest program.
 function(kinescope_tests name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -23,11 +31,8 @@ function(kinescope_tests name)
     return()
   endif()
   add_executable(${name} ${sources})
-  # GoogleTest's headers are the greatest part of what a test's compilation reads.
-  target_precompile_headers(${name} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(${name} PRIVATE -fpch-preprocess)  # so that ccache sees what they hold
-  endif()
+  kinescope_test_options(${name})
+  kinescope_precompile(${name} test_headers)
   target_link_libraries(${name} PRIVATE ${ARGN} GTest::gmock GTest::gtest GTest::gtest_main fmt::fmt)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 900
     ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/leaks.supp:print_suppressions=0")
