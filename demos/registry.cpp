@@ -19,12 +19,13 @@ DemoInfo tube_demo();
 DemoInfo sync_demo();
 DemoInfo masks_demo();
 DemoInfo light_pen_raster_demo();
+DemoInfo lines_demo();
 
 std::span<const DemoInfo> all_demos() {
   static const std::array kDemos = {
-      teapot_demo(),   retrace_demo(),         frame_buffer_demo(), phosphors_demo(),
-      pipeline_demo(), test_patterns_demo(),   tube_demo(),         masks_demo(),
-      sync_demo(),     light_pen_raster_demo()};
+      teapot_demo(),   retrace_demo(),          frame_buffer_demo(), phosphors_demo(),
+      pipeline_demo(), test_patterns_demo(),    tube_demo(),         masks_demo(),
+      sync_demo(),     light_pen_raster_demo(), lines_demo()};
   return kDemos;
 }
 
