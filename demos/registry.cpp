@@ -20,12 +20,36 @@ DemoInfo sync_demo();
 DemoInfo masks_demo();
 DemoInfo light_pen_raster_demo();
 DemoInfo lines_demo();
+DemoInfo circles_demo();
+DemoInfo conics_demo();
+DemoInfo strokes_demo();
+DemoInfo inside_tests_demo();
+DemoInfo seed_fill_demo();
+DemoInfo scanline_fill_demo();
+DemoInfo areas_demo();
+DemoInfo characters_demo();
+DemoInfo antialiasing_demo();
+DemoInfo dithering_demo();
+DemoInfo practical_1_demo();
+DemoInfo practical_2_demo();
+DemoInfo practical_3_demo();
+DemoInfo practical_4_demo();
+DemoInfo practical_8_demo();
 
 std::span<const DemoInfo> all_demos() {
-  static const std::array kDemos = {
-      teapot_demo(),   retrace_demo(),          frame_buffer_demo(), phosphors_demo(),
-      pipeline_demo(), test_patterns_demo(),    tube_demo(),         masks_demo(),
-      sync_demo(),     light_pen_raster_demo(), lines_demo()};
+  static const std::array kDemos = {teapot_demo(),        retrace_demo(),
+                                    frame_buffer_demo(),  phosphors_demo(),
+                                    pipeline_demo(),      test_patterns_demo(),
+                                    tube_demo(),          masks_demo(),
+                                    sync_demo(),          light_pen_raster_demo(),
+                                    lines_demo(),         circles_demo(),
+                                    conics_demo(),        strokes_demo(),
+                                    inside_tests_demo(),  seed_fill_demo(),
+                                    scanline_fill_demo(), areas_demo(),
+                                    characters_demo(),    antialiasing_demo(),
+                                    dithering_demo(),     practical_1_demo(),
+                                    practical_2_demo(),   practical_3_demo(),
+                                    practical_4_demo(),   practical_8_demo()};
   return kDemos;
 }
 

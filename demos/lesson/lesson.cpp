@@ -11,6 +11,8 @@
 namespace kinescope {
 namespace {
 
+constexpr Srgb8 kPaper{20, 20, 26, 255};  // so that borders of unlit pixels show
+
 enum { kDisplay, kResolution, kSpeed, kRunning };  // of the lesson's own knobs
 
 std::vector<Knob> with_lesson_knobs(std::vector<Knob> own, const LessonPlan& plan) {
@@ -305,7 +307,7 @@ void Lesson::show_panes() {
   std::vector<Image<Srgb8>> papers = scene_->papers;
   papers.resize(static_cast<std::size_t>(world.panes.x * world.panes.y));
   for (Image<Srgb8>& paper : papers) {
-    if (paper.empty()) paper = Image<Srgb8>(world.columns(), world.rows(), {0, 0, 0, 255});
+    if (paper.empty()) paper = Image<Srgb8>(world.columns(), world.rows(), kPaper);
   }
   for (const Track& track : scene_->tracks) {
     track.draw(playback_.shown(), papers[static_cast<std::size_t>(track.pane())]);

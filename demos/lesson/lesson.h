@@ -93,6 +93,7 @@ class Lesson : public Demo {
   glm::dvec2 corner(int handle) const {
     return plan_.handles[static_cast<std::size_t>(handle)].at + 0.5;
   }
+  std::size_t corners() const { return plan_.handles.size(); }
   double figure(int index) const { return plan_.figures[static_cast<std::size_t>(index)].value; }
   int whole_figure(int index) const;  ///< @throws Error (bad input) if it is no int
   void set_figure(int index, double value) {
