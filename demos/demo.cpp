@@ -11,7 +11,8 @@ void Demo::step(const Step& step, Image<Srgb8>& picture) {
   Step left{step.exposure, {}};
   for (const InputEvent& event : step.events) {
     const auto turned = [&](Knob& knob) { return knob.answer(event.key); };
-    if (event.kind == InputKind::kKeyDown && std::any_of(knobs_.begin(), knobs_.end(), turned)) {
+    if (event.kind == InputKind::kKeyDown && !typing() &&
+        std::any_of(knobs_.begin(), knobs_.end(), turned)) {
       continue;
     }
     if (event.kind == InputKind::kResize) {

@@ -44,6 +44,9 @@ class Demo {
   /// @param picture resized to the demo's size where it has another
   void step(const Step& step, Image<Srgb8>& picture);
 
+  /// Whether keys go into a text field just now: then they turn no knobs and mean nothing else.
+  virtual bool typing() const { return false; }
+
   std::span<const Knob> knobs() const { return knobs_; }
   int width() const { return width_; }
   int height() const { return height_; }
@@ -61,6 +64,8 @@ class Demo {
   virtual void resized() {}
 
   const Knob& knob(int index) const { return knobs_.at(static_cast<std::size_t>(index)); }
+  /// For menus in the picture itself.
+  void turn(int index, double value) { knobs_.at(static_cast<std::size_t>(index)).value = value; }
   Studio& studio() const { return *studio_; }
 
  private:
@@ -70,10 +75,10 @@ class Demo {
 };
 
 /// Gives a demo its clone().
-template <typename Derived>
-class ClonableDemo : public Demo {
+template <typename Derived, typename Base = Demo>
+class ClonableDemo : public Base {
  public:
-  using Demo::Demo;
+  using Base::Base;
   std::unique_ptr<Demo> clone() const override {
     return std::make_unique<Derived>(static_cast<const Derived&>(*this));
   }
@@ -87,6 +92,8 @@ struct DemoInfo {
   std::function<std::unique_ptr<Demo>(const DemoSetup& setup)> create;
   double time_scale = 1;        ///< simulated seconds a second at the start
   std::string_view mouse = {};  ///< what the mouse does, if anything: "drag to orbit"
+  /// Rows of the textbook that it shows, as the course names them.
+  std::vector<std::string_view> topics = {};
 };
 
 }  // namespace kinescope

@@ -42,7 +42,8 @@ DemoScreen::DemoScreen(const DemoInfo& info, const DemoSetup& setup)
       frame_(setup.width, setup.height) {}
 
 void DemoScreen::handle(const InputEvent& event) {
-  if (event.kind == InputKind::kKeyDown && (own_key(event.key) || transport_.answer(event.key))) {
+  if (event.kind == InputKind::kKeyDown && !typing() &&
+      (own_key(event.key) || transport_.answer(event.key))) {
     dirty_ = true;
     return;
   }

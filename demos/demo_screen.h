@@ -22,6 +22,7 @@ class DemoScreen : public Screen {
   bool tick(int frames_per_second) override;
   const Image<Srgb8>& frame() const override { return frame_; }
   Seconds tick_length() const override { return player_.demo().refresh().period(); }
+  bool typing() const override { return player_.demo().typing(); }
   bool done() const override { return false; }
 
   const Player& player() const { return player_; }

@@ -22,6 +22,7 @@ std::string Knob::text() const {
     case KnobKind::kChoice:
       return choices[static_cast<std::size_t>(index())];
     case KnobKind::kNumber:
+      if (!choices.empty()) return choices[static_cast<std::size_t>(index())];
       break;
   }
   return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
@@ -102,6 +103,15 @@ Knob number_knob(std::string name, std::string down, std::string up, double mini
   knob.maximum = maximum;
   knob.step = step;
   knob.unit = std::move(unit);
+  return knob;
+}
+
+Knob scale_knob(std::string name, std::string down, std::string up,
+                std::vector<std::string> choices, int index, std::string help) {
+  const auto last = static_cast<double>(choices.size() - 1);
+  Knob knob = number_knob(std::move(name), std::move(down), std::move(up), 0, last, 1, index, "",
+                          std::move(help));
+  knob.choices = std::move(choices);
   return knob;
 }
 

@@ -20,7 +20,7 @@ struct Knob {
   std::vector<std::string> keys;              ///< toggle: {flip}; choice: {next} or one a choice;
                                               ///< number: {down, up}
   std::vector<std::string> choices;           ///< names of a choice's values
-  double minimum = 0, maximum = 1, step = 1;  ///< of a number
+  double minimum = 0, maximum = 1, step = 1;  ///< of a number; one with choices shows their names
   std::string unit;                           ///< of a number, empty if it has none
 
   bool on() const { return value != 0; }
@@ -38,5 +38,8 @@ Knob choice_knob(std::string name, std::vector<std::string> keys, std::vector<st
                  int index, std::string help);
 Knob number_knob(std::string name, std::string down, std::string up, double minimum, double maximum,
                  double step, double value, std::string unit, std::string help);
+/// A number that counts through named values, such as speeds.
+Knob scale_knob(std::string name, std::string down, std::string up,
+                std::vector<std::string> choices, int index, std::string help);
 
 }  // namespace kinescope

@@ -16,6 +16,8 @@ class Screen {
   virtual const Image<Srgb8>& frame() const = 0;
   /// Wall-clock time of a tick.
   virtual Seconds tick_length() const = 0;
+  /// Whether every key, Escape too, goes into a text field.
+  virtual bool typing() const { return false; }
   /// Whether the user is done with it.
   virtual bool done() const = 0;
 };

@@ -45,7 +45,7 @@ class Ticks {
   Ticks(Player& player, double time_scale) : player_(player), transport_(time_scale) {}
   void tick(std::vector<InputEvent> events) {
     for (InputEvent& event : events) {
-      const bool down = event.kind == InputKind::kKeyDown;
+      const bool down = event.kind == InputKind::kKeyDown && !player_.demo().typing();
       if (!down || !transport_.answer(event.key)) waiting_.push_back(std::move(event));
     }
     switch (transport_.next()) {

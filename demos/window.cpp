@@ -65,7 +65,7 @@ Outcome run(Presenter& presenter, Screen& screen, Workers& workers) {
   while (true) {
     for (const InputEvent& event : presenter.poll(std::max(Seconds(0), next - now()))) {
       if (event.kind == InputKind::kQuit) return Outcome::kClosed;
-      if (leaves(presenter, event)) return Outcome::kLeft;
+      if (!screen.typing() && leaves(presenter, event)) return Outcome::kLeft;
       screen.handle(event);
     }
     if (screen.done()) return Outcome::kDone;

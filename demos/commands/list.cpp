@@ -15,7 +15,9 @@ std::string as_json() {
   json.begin_array();
   for (const DemoInfo& demo : all_demos()) {
     json.begin_object().member("name", demo.name).member("chapter", demo.chapter);
-    json.member("summary", demo.summary).end_object();
+    json.member("summary", demo.summary).key("topics").begin_array();
+    for (const std::string_view topic : demo.topics) json.value(topic);
+    json.end_array().end_object();
   }
   return json.end_array().text();
 }

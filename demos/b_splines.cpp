@@ -1,0 +1,99 @@
+// B-splines of any order beside the Bezier curve of the same points, and cut into Bezier pieces.
+#include <fmt/format.h>
+
+#include "demos/lesson/ink_lines.h"
+#include "demos/lesson/lesson.h"
+#include "engine/curves/b_spline.h"
+#include "engine/curves/bezier.h"
+
+namespace kinescope {
+namespace {
+
+enum { kOrder, kKnots, kPieces };
+
+constexpr int kSteps = 300, kControls = 6;
+
+class BSplines : public ClonableDemo<BSplines, Lesson> {
+ public:
+  explicit BSplines(const DemoSetup& setup)
+      : ClonableDemo(setup,
+                     {.look_for = "Drag a point: the B-spline (white) changes only near it, the "
+                                  "Bezier curve (amber) everywhere. 1 and 2 change the order.",
+                      .handles = {{"p0", {0.1, 0.8}},
+                                  {"p1", {0.15, 0.2}},
+                                  {"p2", {0.4, 0.15}},
+                                  {"p3", {0.55, 0.85}},
+                                  {"p4", {0.8, 0.8}},
+                                  {"p5", {0.9, 0.2}}},
+                      .resolution = 4,
+                      .speed = 4},
+                     {number_knob("order", "1", "2", 2, kControls, 1, 4, "", "degree and one"),
+                      choice_knob("knots", {"k"}, {"open", "uniform"}, 0,
+                                  "ends repeated until the curve reaches them, or not"),
+                      toggle_knob("pieces", "p", false, "the Bezier points of each piece")}) {}
+
+ private:
+  Course record() const override {
+    BSpline<glm::dvec2> spline;
+    spline.order = knob(kOrder).index();
+    for (int i = 0; i < kControls; ++i) pixel(i), spline.control.push_back(corner(i));
+    spline.knots = knob(kKnots).index() == 0 ? open_knots(spline.order, kControls)
+                                             : uniform_knots(spline.order, kControls);
+    const World pane = world();
+    Course course;
+    Track track("B-spline", {"t", "x", "y"}), bezier("Bezier", {"t", "x", "y"}, 0, theme::kAccent);
+    for (int i = 0; i <= kSteps; ++i) {
+      const double share = double(i) / kSteps;
+      const double t = spline.first() + share * (spline.last() - spline.first());
+      const glm::dvec2 p = b_spline_point(spline, t);
+      ink_point(track, pane, p);
+      track.step({t, p.x, p.y});
+      const glm::dvec2 q = bezier_point(std::span<const glm::dvec2>(spline.control), share);
+      ink_point(bezier, pane, q, theme::kAccent);
+      bezier.step({share, q.x, q.y});
+    }
+    course.tracks.push_back(std::move(track));
+    course.tracks.push_back(std::move(bezier));
+    const auto chain = [&](const std::vector<glm::dvec2>& points, Srgb8 colour) {
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        course.guides.push_back({points[i], points[i + 1], colour});
+      }
+    };
+    chain(spline.control, theme::kCool);
+    const auto pieces = bezier_pieces(spline);
+    if (knob(kPieces).on()) {
+      for (const auto& piece : pieces) chain(piece.control, theme::kGreen);
+    }
+    course.remarks.push_back(
+        fmt::format("{} Bezier pieces of degree {}", pieces.size(), spline.order - 1));
+    std::string knots = "knots";
+    for (const double k : spline.knots) knots += fmt::format(" {:.3g}", k);
+    course.remarks.push_back(knots);
+    return course;
+  }
+};
+
+std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<BSplines>(setup); }
+
+}  // namespace
+
+DemoInfo b_splines_demo() {
+  return {"b-splines",
+          "9 Curves and fractals",
+          "B-splines of any order and knots, beside the Bezier curve of the same points",
+          create,
+          1,
+          "drag a control point",
+          {"B-splines of any order", "uniform and open knots", "cut into its Bezier pieces",
+           "local against global control"}};
+}
+
+DemoInfo practical_10_demo() {
+  DemoInfo info = b_splines_demo();
+  info.name = "practical-10";
+  info.summary = "Practical 10: Bezier and B-spline curves, their control points dragged";
+  info.topics = {"practical 10"};
+  return info;
+}
+
+}  // namespace kinescope

@@ -1,0 +1,354 @@
+#include "demos/lesson/lesson.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "raster/base/error.h"
+
+namespace kinescope {
+namespace {
+
+constexpr Srgb8 kPaper{20, 20, 26, 255};  // so that borders of unlit pixels show
+
+enum { kDisplay, kResolution, kSpeed, kRunning };  // of the lesson's own knobs
+
+std::vector<Knob> with_lesson_knobs(std::vector<Knob> own, const LessonPlan& plan) {
+  std::vector<std::string> sizes;
+  for (const int cell : Lesson::kCells) {
+    sizes.push_back(fmt::format("{}x{}", World::kScreenWidth / cell, World::kScreenHeight / cell));
+  }
+  own.push_back(choice_knob("display", {"t"}, LessonScreen::names(), 0, "what the picture is on"));
+  own.push_back(scale_knob("resolution", "PageDown", "PageUp", std::move(sizes), plan.resolution,
+                           "pixels of the whole screen: from coins to fine ones"));
+  own.push_back(scale_knob("speed", "-", "=", Playback::speeds(), plan.speed,
+                           "steps a second; n and b step by hand, Home and End jump"));
+  own.push_back(toggle_knob("run", "Return", true, "steps follow each other by themselves"));
+  return own;
+}
+
+int whole(double value, const std::string& label) {
+  if (!(std::abs(value) <= 1e9)) {
+    throw_bad_input(fmt::format("{}: {:.6g} lies beyond a billion", label, value));
+  }
+  return static_cast<int>(std::lround(value));
+}
+
+}  // namespace
+
+Lesson::Lesson(const DemoSetup& setup, LessonPlan plan, std::vector<Knob> own)
+    : Demo(setup, with_lesson_knobs(own, plan)),
+      plan_(std::move(plan)),
+      own_knobs_(static_cast<int>(own.size())),
+      screen_(stage()) {
+  last_world_.panes = {0, 0};  // handles stand in shares
+}
+
+World Lesson::world() const {
+  const auto cell = static_cast<std::size_t>(knob(own_knobs_ + kResolution).index());
+  return {kCells[cell], panes(), plan_.centred};
+}
+
+glm::ivec2 Lesson::pixel(int handle) const {
+  const Handle& h = plan_.handles[static_cast<std::size_t>(handle)];
+  return {whole(h.at.x, h.label), whole(h.at.y, h.label)};
+}
+
+int Lesson::whole_figure(int index) const {
+  const Figure& figure = plan_.figures[static_cast<std::size_t>(index)];
+  return whole(figure.value, figure.label);
+}
+
+std::size_t Lesson::steps() const {
+  std::size_t most = 0;
+  for (const Track& track : scene_->tracks) most = std::max(most, track.steps());
+  return most;
+}
+
+void Lesson::resized() {
+  screen_.resize(stage());
+  stale_ = true;
+}
+
+/// Points keep their place when the world is finer or has other panes.
+void Lesson::follow_world() {
+  const World now = world();
+  const glm::dvec2 size(now.columns(), now.rows());
+  const glm::dvec2 before = last_world_.panes.x == 0
+                                ? glm::dvec2(1)
+                                : glm::dvec2(last_world_.columns(), last_world_.rows());
+  if (before != size) {
+    for (Handle& handle : plan_.handles) handle.at = glm::round(handle.at * size / before);
+    if (last_world_.panes.x != 0) {
+      for (Figure& f : plan_.figures) {
+        if (f.step == 1) f.value = std::round(f.value * size.y / before.y);
+      }
+    }
+  }
+  last_world_ = now;
+}
+
+void Lesson::run_anew(bool at_end) {
+  fault_.clear();
+  auto scene = std::make_shared<Course>();
+  auto different = std::make_shared<std::vector<std::vector<Mark>>>();
+  try {
+    *scene = record();
+    if (scene->compare) {
+      const Track &a = scene->tracks.at(0), &b = scene->tracks.at(1);
+      *different = {only_in(a, b), only_in(b, a)};
+      const std::size_t count = (*different)[0].size() + (*different)[1].size();
+      scene->remarks.push_back(count == 0 ? "No difference: both drew the same pixels."
+                                          : fmt::format("{} pixels differ: lit red.", count));
+    }
+  } catch (const Error& error) {
+    fault_ = error.what();
+    *scene = {};
+    different->clear();
+  }
+  scene_ = std::move(scene);
+  different_ = std::move(different);
+  playback_.go_to(at_end ? steps() : 0);
+  stale_ = true;
+}
+
+void Lesson::update(const Step& step) {
+  const bool turned = followed_.follow(knobs());
+  bool anew = false;
+  for (int i = 0; turned && i < own_knobs_; ++i) anew |= followed_.turned(i);
+  anew |= turned && followed_.turned(own_knobs_ + kResolution);
+  stale_ |= turned;
+  screen_.choose(knob(own_knobs_ + kDisplay).index(), step.exposure.begin);
+  if (anew) follow_world();
+  bool edited = false;
+  for (const InputEvent& event : step.events) {
+    if (take(event)) {
+      edited = true;
+      follow_world();  // a menu may have changed the panes
+    }
+  }
+  if (anew || edited) run_anew(edited && held_ != kNoHandle);
+  if (knob(own_knobs_ + kRunning).on() && held_ == kNoHandle) {
+    stale_ |=
+        playback_.pass(step.exposure.length().count(), knob(own_knobs_ + kSpeed).index(), steps());
+  }
+}
+
+/// @return whether the input changed
+bool Lesson::take(const InputEvent& event) {
+  stale_ = true;
+  if (typing() && (event.kind == InputKind::kKeyDown || event.kind == InputKind::kText)) {
+    return take_typed(event);
+  }
+  if (event.kind == InputKind::kMouseDown || event.kind == InputKind::kMouseMove ||
+      event.kind == InputKind::kMouseUp) {
+    return take_mouse(event);
+  }
+  if (event.kind == InputKind::kKeyDown) {
+    if (event.key == "n") return use(kNext, 0);
+    if (event.key == "b") return use(kBack, 0);
+    if (event.key == "Home") return use(kRestart, 0);
+    if (event.key == "End") return use(kEnd, 0);
+  }
+  return answer(event, screen_.spot(world(), event.x, event.y));
+}
+
+bool Lesson::take_mouse(const InputEvent& event) {
+  mouse_ = {event.x, event.y};
+  if (event.kind == InputKind::kMouseUp && (held_ != kNoHandle || held_slider_ >= 0)) {
+    const bool moved = held_ != kNoHandle;
+    held_ = kNoHandle;
+    held_slider_ = -1;
+    return moved;  // now it is played from its start
+  }
+  if (event.kind == InputKind::kMouseDown && event.button == MouseButton::kLeft) {
+    if (typing() && accept()) focus_ = kNoField;
+    if (side().contains(static_cast<float>(event.x), static_cast<float>(event.y))) {
+      return press(event.x, event.y);
+    }
+    held_ = handle_near(event);
+    held_pane_ = screen_.spot(world(), event.x, event.y).pane;
+    if (held_ != kNoHandle) return false;
+  }
+  if (event.kind == InputKind::kMouseMove && held_slider_ >= 0) return press(event.x, event.y);
+  if (event.kind == InputKind::kMouseMove && held_ != kNoHandle) {
+    const LessonScreen::Spot spot = screen_.spot_in(world(), held_pane_, event.x, event.y);
+    plan_.handles[static_cast<std::size_t>(held_)].at = glm::floor(spot.at);
+    return true;
+  }
+  return answer(event, screen_.spot(world(), event.x, event.y));
+}
+
+int Lesson::handle_near(const InputEvent& event) const {
+  const int pane = screen_.spot(world(), event.x, event.y).pane;
+  const glm::vec2 mouse(event.x, event.y);
+  float nearest = 26 * theme::scale_for(height());
+  int found = kNoHandle;
+  for (std::size_t i = 0; i < plan_.handles.size(); ++i) {
+    const glm::vec2 place = screen_.place(world(), {pane, plan_.handles[i].at + 0.5});
+    const float distance = glm::length(place - mouse);
+    if (distance < nearest) nearest = distance, found = static_cast<int>(i);
+  }
+  return found;
+}
+
+bool Lesson::press(int x, int y) {
+  const Rect room = side();
+  const glm::vec2 at(static_cast<float>(x) - room.x, static_cast<float>(y) - room.y);
+  for (const Form::Target& target : sheet_->targets) {
+    const bool held = held_slider_ == target.id;
+    if (!held && !target.rect.contains(at.x, at.y)) continue;
+    if (held_slider_ >= 0 && !held) continue;
+    return use(target.id, std::clamp((at.x - target.rect.x) / target.rect.width, 0.0f, 1.0f));
+  }
+  return false;
+}
+
+bool Lesson::use(int control, float along) {
+  const int run = own_knobs_ + kRunning;
+  if (control >= kFirstChoice) {
+    const int index = (control - kFirstChoice) / 100;
+    turn(index, knob(index).kind == KnobKind::kToggle ? 1 - knob(index).value
+                                                      : (control - kFirstChoice) % 100);
+    return true;
+  }
+  if (control >= kFirstSlider) {
+    held_slider_ = control;
+    Figure& f = plan_.figures[static_cast<std::size_t>(control - kFirstSlider)];
+    const double value = f.least + static_cast<double>(along) * (f.most - f.least);
+    f.value = f.least + f.step * std::round((value - f.least) / f.step);
+    return true;
+  }
+  if (control >= kFirstField) {
+    focus_on(control - kFirstField);
+    return false;
+  }
+  if (control == kRun) {
+    if (playback_.shown() == steps() && knob(run).on()) {
+      playback_.go_to(0);
+    } else {
+      turn(run, knob(run).on() ? 0 : 1);
+    }
+    return false;
+  }
+  if (control == kRestart) playback_.go_to(0);
+  if (control == kEnd) playback_.go_to(steps());
+  if (control == kNext || control == kBack) {
+    turn(run, 0);
+    playback_.step_by(control == kNext ? 1 : -1, steps());
+  }
+  return false;
+}
+
+void Lesson::focus_on(int field) {
+  focus_ = field;
+  field_.set("");
+  typing_fault_.clear();
+}
+
+std::string Lesson::shown_in_field(int field) const {
+  const auto i = static_cast<std::size_t>(field);
+  if (i >= plan_.handles.size()) {
+    return fmt::format("{:.6g}", plan_.figures[i - plan_.handles.size()].value);
+  }
+  const glm::dvec2 at = world().named(plan_.handles[i].at);
+  return fmt::format("{:.10g}, {:.10g}", at.x, at.y);
+}
+
+/// Enter accepts, Escape leaves the input as it was, Tab goes to the next field.
+bool Lesson::take_typed(const InputEvent& event) {
+  const int fields = static_cast<int>(plan_.handles.size() + plan_.figures.size());
+  if (event.kind == InputKind::kKeyDown && event.key == "Escape") {
+    focus_ = kNoField;
+    typing_fault_.clear();
+    return false;
+  }
+  const bool tab = event.key == "Tab";
+  if (event.kind == InputKind::kKeyDown && (event.key == "Return" || tab)) {
+    const bool changed = !field_.text.empty();
+    if (!accept()) return false;
+    if (tab) {
+      focus_on((focus_ + 1) % fields);
+    } else {
+      focus_ = kNoField;
+    }
+    return changed;
+  }
+  field_.answer(event);
+  return false;
+}
+
+/// Takes what was typed; an empty field keeps what was there. @return whether it could be read
+bool Lesson::accept() {
+  typing_fault_.clear();
+  if (field_.text.empty()) return true;
+  const auto i = static_cast<std::size_t>(focus_);
+  const bool point = i < plan_.handles.size();
+  try {
+    const std::vector<double> typed = typed_numbers(field_.text, point ? 2 : 1);
+    if (point) {
+      plan_.handles[i].at = world().of_name({typed[0], typed[1]});
+    } else {
+      plan_.figures[i - plan_.handles.size()].value = typed[0];
+    }
+    return true;
+  } catch (const Error& error) {
+    const std::string& label =
+        point ? plan_.handles[i].label : plan_.figures[i - plan_.handles.size()].label;
+    typing_fault_ = label + ": " + error.what();
+    return false;
+  }
+}
+
+void Lesson::show_panes() {
+  const World world = this->world();
+  std::vector<Image<Srgb8>> papers = scene_->papers;
+  papers.resize(static_cast<std::size_t>(world.panes.x * world.panes.y));
+  for (Image<Srgb8>& paper : papers) {
+    if (paper.empty()) paper = Image<Srgb8>(world.columns(), world.rows(), kPaper);
+  }
+  for (const Track& track : scene_->tracks) {
+    track.draw(playback_.shown(), papers[static_cast<std::size_t>(track.pane())]);
+  }
+  // The difference is told once both are done.
+  for (std::size_t i = 0; i < different_->size() && playback_.shown() == steps(); ++i) {
+    Image<Srgb8>& paper = papers[static_cast<std::size_t>(scene_->tracks[i].pane())];
+    for (const Mark& mark : (*different_)[i]) {
+      if (paper.contains(mark.x, mark.y)) paper.at(mark.x, mark.y) = theme::kRed;
+    }
+  }
+  screen_.show(world, papers);
+}
+
+void Lesson::draw(const Step& step, Image<Srgb8>& picture) {
+  if (std::exchange(stale_, false)) {
+    show_panes();
+    draw_side();
+  }
+  std::fill(picture.pixels().begin(), picture.pixels().end(), theme::kBackground);
+  screen_.draw(step, studio().workers, picture);
+  Canvas canvas(picture);
+  draw_over(canvas);
+  const Rect room = side();
+  const int left = static_cast<int>(room.x), top = static_cast<int>(room.y);
+  const Image<Srgb8>& sheet = sheet_->image;
+  for (int y = 0; y < std::min(sheet.height(), picture.height() - top); ++y) {
+    std::copy_n(sheet.row(y), std::min(sheet.width(), picture.width() - left),
+                picture.row(top + y) + left);
+  }
+}
+
+std::optional<glm::vec2> Lesson::place_of_control(int id) const {
+  for (const Form::Target& target : sheet_->targets) {
+    if (target.id == id) {
+      const Rect room = side();
+      return glm::vec2(room.x + target.rect.x + target.rect.width / 2,
+                       room.y + target.rect.y + target.rect.height / 2);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace kinescope

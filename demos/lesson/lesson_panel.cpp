@@ -1,0 +1,215 @@
+// How a lesson looks: the panel beside the picture, and what lies over the picture.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "demos/lesson/lesson.h"
+#include "demos/ui/theme.h"
+#include "demos/ui/widgets.h"
+
+namespace kinescope {
+namespace {
+
+constexpr float kHintRoom = 56;        // below the picture
+constexpr std::size_t kMostLit = 256;  // pixels of a step with a frame around each
+
+std::string cell(double value) {
+  return value == std::floor(value) && std::abs(value) < 1e9 ? fmt::format("{:.0f}", value)
+                                                             : fmt::format("{:.3f}", value);
+}
+
+}  // namespace
+
+Rect Lesson::side() const {
+  const float margin = theme::kMargin * theme::scale_for(height());
+  const auto w = static_cast<float>(width()), h = static_cast<float>(height());
+  const float across = std::floor(std::min(Form::kWidth * theme::scale_for(height()), w * 0.4f));
+  return {w - across, 0, across, h - std::floor(std::min(margin, h * 0.01f))};
+}
+
+Rect Lesson::stage() const {
+  const float scale = theme::scale_for(height());
+  const float room = static_cast<float>(height()) - kHintRoom * scale;
+  return Rect{0, 0, side().x, room}.shrunk(theme::kGap * scale);
+}
+
+void Lesson::draw_fields(Form& form) const {
+  const auto field = [&](std::size_t i, const std::string& label) {
+    const int number = static_cast<int>(i);
+    form.field(kFirstField + number, label, shown_in_field(number),
+               focus_ == number ? &field_ : nullptr);
+  };
+  // Many corners are shown in the picture; their fields would fill the panel.
+  constexpr std::size_t kMostFields = 4;
+  const std::size_t points = plan_.handles.size();
+  for (std::size_t i = 0; i < std::min(points, kMostFields); ++i) field(i, plan_.handles[i].label);
+  for (std::size_t i = 0; i < plan_.figures.size(); ++i) {
+    const Figure& f = plan_.figures[i];
+    field(points + i, f.label);
+    form.slider(kFirstSlider + static_cast<int>(i),
+                static_cast<float>((f.value - f.least) / (f.most - f.least)));
+  }
+  if (!typing_fault_.empty()) form.text(typing_fault_, theme::kRed);
+  if (!fault_.empty()) form.text(fault_, theme::kRed);
+}
+
+void Lesson::draw_menu(Form& form) const {
+  for (int i = 0; i < own_knobs_; ++i) {
+    const Knob& k = knob(i);
+    const int id = kFirstChoice + i * 100;
+    std::vector<Form::Button> row;
+    if (k.kind == KnobKind::kToggle) row.push_back({id, k.name, k.on()});
+    if (k.kind == KnobKind::kChoice) {
+      for (int c = 0; c < static_cast<int>(k.choices.size()); ++c) {
+        row.push_back({id + c, k.choices[static_cast<std::size_t>(c)], c == k.index()});
+      }
+    }
+    if (!row.empty()) form.buttons(row);
+  }
+  const bool runs = knob(own_knobs_ + 3).on();
+  form.buttons({{kRestart, "|<"},
+                {kBack, "<"},
+                {kRun, runs ? "hold" : "run", runs},
+                {kNext, ">"},
+                {kEnd, ">|"}});
+}
+
+/// The state of one track up to now; of two with few columns each, side by side.
+Form::Table Lesson::table(const Track& track, const Track* beside) const {
+  Form::Table table;
+  table.columns = {"step"};
+  const auto add = [&](const Track& t) {
+    table.columns.insert(table.columns.end(), t.columns().begin(), t.columns().end());
+  };
+  add(track);
+  if (beside) add(*beside);
+  const std::size_t steps = std::max(track.steps(), beside ? beside->steps() : 0);
+  const std::size_t end = std::min(playback_.shown(), steps);
+  constexpr std::size_t kMostRows = 64;
+  for (std::size_t i = end - std::min(end, kMostRows); i < end; ++i) {
+    std::vector<std::string> row = {fmt::format("{}", i)};
+    const auto cells = [&](const Track& t) {
+      for (std::size_t c = 0; c < t.columns().size(); ++c) {
+        row.push_back(i < t.steps() ? cell(t.values(i)[c]) : "");
+      }
+    };
+    cells(track);
+    if (beside) cells(*beside);
+    table.rows.push_back(std::move(row));
+    const auto differs = [&](const Track& other) {
+      if (i >= track.steps() || i >= other.steps()) return true;
+      const auto a = track.marks(i), b = other.marks(i);
+      return !std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                         [](const Mark& p, const Mark& q) { return p.x == q.x && p.y == q.y; });
+    };
+    table.marked.push_back(beside && scene_->compare && differs(*beside));
+  }
+  return table;
+}
+
+void Lesson::draw_state(Form& form) const {
+  const float bottom = side().height - theme::kMargin * theme::scale_for(height());
+  const auto& tracks = scene_->tracks;
+  form.text(
+      fmt::format("step {} of {}, {}", playback_.shown(), steps(), knob(own_knobs_ + 2).text()),
+      theme::kAccent);
+  for (const std::string& remark : scene_->remarks) form.text(remark, theme::kText);
+  constexpr std::size_t kMostColumns = 6;
+  const bool together =
+      tracks.size() == 2 && tracks[0].columns().size() + tracks[1].columns().size() <= kMostColumns;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const Track& track = tracks[i];
+    const Track* beside = together ? &tracks[1] : nullptr;
+    form.gap(4);
+    form.text(beside ? track.name() + " | " + beside->name() : track.name(), theme::kCool);
+    const std::size_t now = std::min(playback_.shown(), track.steps());
+    if (now > 0) {
+      std::istringstream note(track.note(now - 1));
+      for (std::string line; std::getline(note, line) && form.y() + form.row_height() < bottom;) {
+        form.code(line, theme::kText);
+      }
+    }
+    const auto left = static_cast<float>(together ? 1 : tracks.size() - i);
+    if (!track.columns().empty()) {
+      form.table(table(track, beside), form.y() + (bottom - form.y()) / left);
+    }
+    if (together) break;
+  }
+}
+
+void Lesson::draw_side() {
+  const Rect room = side();
+  auto sheet = std::make_shared<Sheet>();
+  sheet->image = Image<Srgb8>(static_cast<int>(room.width), static_cast<int>(room.height),
+                              theme::with_alpha(theme::kPanel, 255));
+  Canvas canvas(sheet->image);
+  const float scale = theme::scale_for(height());
+  Form form(canvas, studio(), scale,
+            Rect{0, 0, room.width, room.height}.shrunk(theme::kMargin * scale * 0.75f));
+  draw_fields(form);
+  draw_menu(form);
+  draw_state(form);
+  sheet->targets = form.targets();
+  sheet_ = std::move(sheet);
+}
+
+/// Guides, handles, the pixels of the last step, and the line below the picture.
+void Lesson::draw_over(Canvas& canvas) const {
+  const World world = this->world();
+  const float scale = theme::scale_for(height());
+  const float pixel = screen_.face().width * static_cast<float>(world.cell) / World::kScreenWidth;
+  canvas.set_clip(screen_.face());
+  const int panes = world.panes.x * world.panes.y;
+  for (int pane = 0; pane < panes; ++pane) {
+    const auto place = [&](glm::dvec2 at) { return screen_.place(world, {pane, at}); };
+    for (const Guide& guide : scene_->guides) {
+      if (guide.pane >= 0 && guide.pane != pane) continue;
+      canvas.line(place(guide.from), place(guide.to), 1.5f * scale, guide.colour);
+    }
+    for (const Handle& handle : plan_.handles) {
+      const glm::vec2 at = place(handle.at + 0.5);
+      canvas.disc(at, 7 * scale, theme::with_alpha(theme::kAccent, 150));
+      canvas.disc(at, 3 * scale, theme::kAccentDark);
+    }
+    const glm::vec2 corner = place({0, 0});
+    if (pane % world.panes.x) {
+      canvas.line(corner, {corner.x, screen_.face().bottom()}, 2 * scale, theme::kDim);
+    }
+    if (pane >= world.panes.x) {
+      canvas.line(corner, {screen_.face().right(), corner.y}, 2 * scale, theme::kDim);
+    }
+  }
+  for (const Track& track : scene_->tracks) {
+    const std::size_t now = playback_.shown();
+    if (now == 0 || now > track.steps()) continue;
+    const auto marks = track.marks(now - 1);
+    for (std::size_t i = 0; i < std::min(marks.size(), kMostLit); ++i) {
+      const glm::vec2 at = screen_.place(world, {track.pane(), {marks[i].x, marks[i].y}});
+      canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
+    }
+  }
+  for (const Track& track : scene_->tracks) {
+    if (panes == 1) break;
+    const glm::vec2 at = screen_.place(world, {track.pane(), {0, 0}});
+    canvas.text(studio().sans, at + glm::vec2(6, 17) * scale, track.name(), theme::kSmall * scale,
+                theme::kCool);
+  }
+  canvas.clear_clip();
+  const float left = theme::kMargin * scale, size = theme::kBody * scale;
+  float y = static_cast<float>(height()) - (kHintRoom - 20) * scale;
+  for (const std::string& line : wrap(studio().sans, plan_.look_for, size, side().x - 2 * left)) {
+    canvas.text(studio().sans, {left, y}, line, size, theme::kDim);
+    y += size * 1.25f;
+  }
+  const LessonScreen::Spot spot = screen_.spot(world, mouse_.x, mouse_.y);
+  if (screen_.face().contains(static_cast<float>(mouse_.x), static_cast<float>(mouse_.y))) {
+    const glm::dvec2 at = world.named(glm::floor(spot.at));
+    canvas.text(studio().mono, {screen_.face().right() - left, screen_.face().y + 20 * scale},
+                fmt::format("({:.0f}, {:.0f})", at.x, at.y), theme::kSmall * scale, theme::kCool,
+                Align::kRight);
+  }
+}
+
+}  // namespace kinescope

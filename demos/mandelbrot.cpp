@@ -1,0 +1,121 @@
+// The Mandelbrot set and its Julia sets, row by row; a click goes deeper, far below doubles.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "demos/lesson/lesson.h"
+#include "engine/fractals/deep_zoom.h"
+#include "engine/fractals/escape_time.h"
+
+namespace kinescope {
+namespace {
+
+enum { kSet, kIterations, kReal, kImaginary };
+enum { kMandelbrot, kJulia };
+
+constexpr double kWholeWidth = 3.4;
+// Finer steps are told apart by perturbation only.
+constexpr double kFinestDouble = 1e-13, kFinest = 1e-250;
+
+Srgb8 colour_of(int time, int most) {
+  if (time >= most) return {0, 0, 0, 255};
+  const auto channel = [&](double phase) {
+    return static_cast<std::uint8_t>(127.5 +
+                                     127 * std::sin(0.35 * std::sqrt(40.0 * time) / 4 + phase));
+  };
+  return {channel(0), channel(1), channel(2.2), 255};
+}
+
+class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
+ public:
+  explicit Mandelbrot(const DemoSetup& setup)
+      : ClonableDemo(
+            setup,
+            {.look_for = "Black points never leave. Click to go twice as deep there, "
+                         "right-click to come back; below 1e-13 one exact orbit guides all.",
+             .resolution = 6,
+             .speed = 5},
+            {choice_knob("set", {"1", "2"}, {"Mandelbrot", "Julia"}, kMandelbrot,
+                         "c is the pixel, or z begins there"),
+             number_knob("iterations", "3", "4", 50, 2000, 50, 200, "",
+                         "after which a point counts as inside"),
+             number_knob("c real", "5", "6", -2, 2, 0.01, -0.8, "", "of the Julia set"),
+             number_knob("c imaginary", "7", "8", -2, 2, 0.01, 0.16, "", "of the Julia set")}) {
+    view_.step = 0;  // the whole set, whatever the resolution
+  }
+
+ private:
+  DeepView shown() const {
+    DeepView view = view_;
+    view.width = world().columns();
+    view.height = world().rows();
+    view.step = (view_.step > 0 ? view_.step : kWholeWidth) / view.width;
+    view.most = knob(kIterations).index();
+    return view;
+  }
+
+  bool answer(const InputEvent& event, LessonScreen::Spot spot) override {
+    const bool press = event.kind == InputKind::kMouseDown;
+    if (!press && event.kind != InputKind::kWheel) return false;
+    const bool deeper = press ? event.button == MouseButton::kLeft : event.wheel > 0;
+    const DeepView now = shown();
+    const double width = (view_.step > 0 ? view_.step : kWholeWidth) * (deeper ? 0.5 : 2.0);
+    if (width < kFinest || width > 16) return false;
+    view_ = moved(now, now.offset(static_cast<int>(spot.at.x), static_cast<int>(spot.at.y)));
+    view_.step = width;
+    return true;
+  }
+
+  std::vector<std::int32_t> times(const DeepView& view) const {
+    const bool julia = knob(kSet).index() == kJulia;
+    if (!julia && view.step < kFinestDouble) return deep_escape_times(view, studio().workers);
+    EscapeView plain;
+    plain.centre = {std::stod(view.centre_x), std::stod(view.centre_y)};
+    plain.step = view.step;
+    plain.width = view.width;
+    plain.height = view.height;
+    plain.most = view.most;
+    if (julia) plain.julia = glm::dvec2(knob(kReal).value, knob(kImaginary).value);
+    return escape_times(plain, studio().workers);
+  }
+
+  Course record() const override {
+    const DeepView view = shown();
+    const std::vector<std::int32_t> time = times(view);
+    Track track("escape times", {"row", "inside"});
+    for (int j = 0, k = 0; j < view.height; ++j) {
+      int inside = 0;
+      for (int i = 0; i < view.width; ++i, ++k) {
+        const std::int32_t t = time[static_cast<std::size_t>(k)];
+        inside += t >= view.most;
+        track.plot(i, j, colour_of(t, view.most));
+      }
+      track.step({double(j), double(inside)});
+    }
+    Course course;
+    course.tracks.push_back(std::move(track));
+    course.remarks = {"centre " + view.centre_x.substr(0, 24),
+                      "   and " + view.centre_y.substr(0, 24),
+                      fmt::format("a pixel is {:.3g} wide", view.step)};
+    return course;
+  }
+
+  DeepView view_;  // step: the width of the picture
+};
+
+std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Mandelbrot>(setup); }
+
+}  // namespace
+
+DemoInfo mandelbrot_demo() {
+  return {"mandelbrot",
+          "9 Curves and fractals",
+          "Mandelbrot and Julia sets by escape time, zoomed by clicks far below doubles",
+          create,
+          1,
+          "left: deeper, right: back",
+          {"Mandelbrot and Julia with deep zoom"}};
+}
+
+}  // namespace kinescope

@@ -1,0 +1,84 @@
+// Lessons of the engine's algorithms, used as a user would, beside the algorithms themselves.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "demo_testing.h"
+#include "demos/lesson/lesson.h"
+#include "engine/clip/liang_barsky.h"
+#include "engine/fractals/escape_time.h"
+
+namespace kinescope {
+namespace {
+
+class LessonUser {
+ public:
+  explicit LessonUser(const char* name)
+      : info_(find_demo(name)), demo_(info_.create(small_setup(640, 480))) {
+    pass({});
+  }
+  void pass(std::vector<InputEvent> events) {
+    const Seconds length = step_length(info_, *demo_), begin = now_;
+    now_ += length;
+    demo_->step({{begin, now_}, std::move(events)}, picture_);
+  }
+  const Lesson& lesson() const { return dynamic_cast<const Lesson&>(*demo_); }
+  InputEvent mouse(InputKind kind, glm::dvec2 at) const {
+    const glm::vec2 place = lesson().place_of(at);
+    return mouse_event(kind, static_cast<int>(std::lround(place.x)),
+                       static_cast<int>(std::lround(place.y)), MouseButton::kLeft);
+  }
+  glm::dvec2 size() const { return {lesson().world().columns(), lesson().world().rows()}; }
+
+ private:
+  const DemoInfo& info_;
+  std::unique_ptr<Demo> demo_;
+  Seconds now_{0};
+  Image<Srgb8> picture_;
+};
+
+TEST(EngineLessons, ADraggedLineIsClippedAsTheLibraryClipsIt) {
+  LessonUser user("line-clipping");
+  const World world = user.lesson().world();
+  const auto corner = [&](double x, double y) {
+    return glm::round(glm::dvec2(x, y) * user.size()) + 0.5;
+  };
+  const glm::dvec2 from(30.5, 40.5);
+  user.pass({user.mouse(InputKind::kMouseDown, corner(0.05, 0.15))});
+  user.pass({user.mouse(InputKind::kMouseMove, from)});
+  user.pass({user.mouse(InputKind::kMouseUp, from)});
+  const glm::dvec2 a = world.named(corner(0.25, 0.75)), b = world.named(corner(0.75, 0.25));
+  const auto left = clip_liang_barsky({glm::min(a, b), glm::max(a, b)},
+                                      {world.named(from), world.named(corner(0.95, 0.7))});
+  ASSERT_TRUE(left);
+  EXPECT_EQ(user.lesson().scene().remarks.at(0),
+            fmt::format("inside: ({:.2f}, {:.2f}) to ({:.2f}, {:.2f})", left->from.x, left->from.y,
+                        left->to.x, left->to.y));
+}
+
+TEST(EngineLessons, AnLSystemWithoutEndIsRefusedInThePanel) {
+  LessonUser user("l-systems");
+  EXPECT_EQ(user.lesson().fault(), "");
+  for (int i = 0; i < 9; ++i) user.pass({key_down("2")});
+  EXPECT_NE(user.lesson().fault().find("more than 20000 symbols"), std::string::npos);
+}
+
+TEST(EngineLessons, AClickHalvesTheMandelbrotSetsView) {
+  LessonUser user("mandelbrot");
+  const glm::dvec2 middle(std::floor(user.size().x / 2) + 0.5, std::floor(user.size().y / 2) + 0.5);
+  user.pass({user.mouse(InputKind::kMouseDown, middle)});
+  EscapeView view;
+  view.width = static_cast<int>(user.size().x);
+  view.height = static_cast<int>(user.size().y);
+  view.step = 1.7 / view.width;
+  view.most = 200;
+  const Track& track = user.lesson().scene().tracks.at(0);
+  ASSERT_EQ(track.steps(), static_cast<std::size_t>(view.height));
+  for (int j = 0; j < view.height; ++j) {
+    int inside = 0;
+    for (int i = 0; i < view.width; ++i) inside += escape_time(view, i, j) >= view.most;
+    EXPECT_EQ(track.values(static_cast<std::size_t>(j))[1], inside) << j;
+  }
+}
+
+}  // namespace
+}  // namespace kinescope

@@ -1,0 +1,76 @@
+// Dimensions by box counting, of figures whose dimension theory or long simulations give. Boxes
+// count a few octaves only: tolerances say how far such counts lie from the limit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/fractals/brownian.h"
+#include "engine/fractals/dimension.h"
+#include "engine/fractals/dla.h"
+#include "engine/fractals/plasma.h"
+#include "engine/fractals/turtle.h"
+
+namespace kinescope {
+namespace {
+
+using Vec = glm::dvec2;
+
+double boxed(const std::vector<Vec>& points, const std::vector<double>& sizes) {
+  const DimensionFit fit = fit_dimension(count_boxes(points, sizes));
+  EXPECT_GT(fit.correlation, 0.99);
+  return fit.dimension;
+}
+
+/// The boxes of a graph of heights over [0, 1].
+double graph_dimension(const std::vector<double>& heights, double gain) {
+  std::vector<Vec> points;
+  const double step = 1.0 / static_cast<double>(heights.size() - 1);
+  for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+    const double x = step * static_cast<double>(i);
+    points_along({x, gain * heights[i]}, {x + step, gain * heights[i + 1]}, 1.0 / 512,
+                 [&](const Vec& p) { points.push_back(p); });
+  }
+  return boxed(points, {1.0 / 16, 1.0 / 32, 1.0 / 64, 1.0 / 128, 1.0 / 256});
+}
+
+TEST(BoxDimension, ArrowheadIsSierpinskis) {
+  std::vector<Vec> points;
+  draw_l_system(l_system_preset("sierpinski-arrowhead"), 9, [&](const Vec& a, const Vec& b) {
+    points_along(a, b, 1e-3, [&](const Vec& p) { points.push_back(p); });
+  });
+  EXPECT_NEAR(boxed(points, {0.25, 0.125, 0.0625, 0.03125, 0.015625}), std::log2(3.0), 0.06);
+}
+
+TEST(BoxDimension, AggregationIsNearOnePointSeven) {
+  Aggregation cluster(256, 3);
+  while (cluster.next()) {
+  }
+  const std::vector<Vec> points(cluster.particles.begin(), cluster.particles.end());
+  EXPECT_NEAR(boxed(points, {2, 4, 8, 16}), 1.71, 0.25);  // small clusters count low
+}
+
+TEST(BoxDimension, GraphsOfMotionAreTwoLessHurst) {
+  for (const double hurst : {0.3, 0.5, 0.7}) {
+    double mean = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      MidpointLine line(hurst, seed);
+      for (int level = 0; level < 10; ++level) line.next();
+      mean += graph_dimension(line.heights, 1) / 4;
+    }
+    EXPECT_NEAR(mean, 2 - hurst, 0.15) << hurst;
+  }
+}
+
+TEST(BoxDimension, RowsOfPlasmaAreTwoLessHurst) {
+  const HeightField field = plasma(10, 0.5, 4);
+  double mean = 0;
+  for (const int row : {100, 300, 500, 700}) {
+    std::vector<double> heights;
+    for (int i = 0; i < field.side; ++i) heights.push_back(field.at(i, row));
+    mean += graph_dimension(heights, 1) / 4;
+  }
+  EXPECT_NEAR(mean, 1.5, 0.15);
+}
+
+}  // namespace
+}  // namespace kinescope
