@@ -16,6 +16,8 @@ namespace {
 constexpr Seconds kFreshest = milliseconds(2);
 constexpr double kPartsAPixel = 1;
 constexpr double kMostParts = 512;
+/// Light that no picture shows is dropped: thus a screen becomes dark, and its tiles cost nothing.
+constexpr float kUnseen = 1e-8f;
 
 }  // namespace
 
@@ -40,6 +42,15 @@ VectorTube::VectorTube(const VectorMachine& machine, int width, int height)
   gain_ = speed * std::sqrt(2 * std::numbers::pi) * sigma;
 }
 
+bool VectorTube::all_unlit() const {
+  for (int tile = 0; tile < light_.tiles(); ++tile) {
+    if (light_.lit(tile)) return false;
+  }
+  return true;
+}
+
+bool VectorTube::dark() const { return black_ && lasting_.empty() && all_unlit(); }
+
 /// Gathers the light that what is there gives in the window, and lets it decay.
 void VectorTube::fade(Seconds length, Workers& workers) {
   workers.run(light_.tiles(), [&](int tile, int) {
@@ -55,8 +66,7 @@ void VectorTube::fade(Seconds length, Workers& workers) {
         const float lost = static_cast<float>(after.lost), left = static_cast<float>(after.left);
         for (int i = 0; i < kBeamTilePlane; ++i) {
           sum[i] += held[i] * lost;
-          // What fades into denormal numbers would be slow.
-          held[i] = held[i] > 1e-25f ? held[i] * left : 0.0f;
+          held[i] = held[i] > kUnseen ? held[i] * left : 0.0f;
           most = std::max(most, held[i]);
         }
       }
@@ -78,7 +88,7 @@ void VectorTube::add_stroke(const BeamMove& move, Seconds begin, Seconds end, Se
   const auto y = [&](Seconds t) {
     return static_cast<float>(bottom_ - scale_ * place(t, move.y0, move.y1));
   };
-  strokes_.push_back({x(begin), y(begin), x(end), y(end), sigma_px_});
+  strokes_.push_back({x(begin), y(begin), x(end), y(end), sigma_px_ * move.spread});
   const double dwell = (end - begin).count(), age = (until - begin).count();
   for (const Layer& layer : layers_) {
     const double share_of_gun = guns_ ? static_cast<double>(move.colour[layer.gun]) : 1;
@@ -139,9 +149,13 @@ const Image<LinearRgb>& VectorTube::expose(std::span<const BeamMove> moves, Seco
   weights_.clear();
   for (const BeamMove& move : lasting_) add_move(move, end);
   std::erase_if(lasting_, [&](const BeamMove& move) { return move.end <= end; });
-  fade(end - now_, workers);
-  painter_.draw(strokes_, weights_, light_, workers);
-  compose(workers);
+  const bool nothing = strokes_.empty() && all_unlit();
+  if (!nothing) {
+    fade(end - now_, workers);
+    painter_.draw(strokes_, weights_, light_, workers);
+  }
+  if (!nothing || !black_) compose(workers);
+  black_ = nothing;
   now_ = end;
   return picture_;
 }

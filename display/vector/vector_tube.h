@@ -22,6 +22,8 @@ class VectorTube {
   VectorTube(const VectorMachine& machine, int width, int height);
 
   Seconds now() const { return now_; }
+  /// Nothing glows, and nothing that was given lies ahead: until moves come, pictures are black.
+  bool dark() const;
   /// @param moves those that begin before `end` and were not yet given; what lasts longer is kept
   /// @return valid until the next call
   const Image<LinearRgb>& expose(std::span<const BeamMove> moves, Seconds end, Workers& workers);
@@ -33,6 +35,7 @@ class VectorTube {
     std::size_t gun;
     int first_plane;  // its light; light to come of each term follows
   };
+  bool all_unlit() const;
   void fade(Seconds length, Workers& workers);
   void add_stroke(const BeamMove& move, Seconds begin, Seconds end, Seconds until);
   void add_move(const BeamMove& move, Seconds until);
@@ -50,6 +53,7 @@ class VectorTube {
   std::vector<BeamStroke> strokes_;
   std::vector<float> weights_;
   Image<LinearRgb> picture_;
+  bool black_ = true;  // the picture
 };
 
 }  // namespace kinescope

@@ -136,10 +136,10 @@ TEST(DisplayProcessor, PenFindsTheInstructionThatDrew) {
   Bench bench(
       "start: pen 1\nmove 1000 1000\ncall box\nmove 2000 2000\nhere: call box\nsync\nagain\n"
       "box: rdraw 100 0\nside: rdraw 0 100\nrdraw -100 0\nrdraw 0 -100\nreturn\n");
-  bench.processor.hold_pen(VectorPen{2100, 2050, 10, 0.05});
+  bench.processor.hold_pen(BeamPen{2100, 2050, 10, 0.05});
   const auto moves = bench.run(10);
   ASSERT_EQ(bench.processor.status(), ProcessorStatus::kPenHit);
-  const VectorPenHit hit = *bench.processor.hit();
+  const BeamPenHit hit = *bench.processor.hit();
   EXPECT_EQ(hit.address, bench.file.names.at("side"));
   ASSERT_EQ(hit.calls.size(), 1u);
   EXPECT_EQ(hit.calls[0], bench.file.names.at("here"));
@@ -149,7 +149,7 @@ TEST(DisplayProcessor, PenFindsTheInstructionThatDrew) {
   bench.run(11);
   EXPECT_EQ(bench.processor.status(), ProcessorStatus::kRunning);
   // Dark strokes, and light beside its field, leave it quiet.
-  bench.processor.hold_pen(VectorPen{1500, 1500, 10, 0.05});
+  bench.processor.hold_pen(BeamPen{1500, 1500, 10, 0.05});
   bench.run(100);
   EXPECT_EQ(bench.processor.status(), ProcessorStatus::kRunning);
 }
