@@ -33,6 +33,12 @@ constexpr std::array kNumbers{
     NumberKey{"speed_units_us", 1e-3, 1e6,
               [](VectorMachine& m, double v) { m.speed_units_us = v; }},
     NumberKey{"spot_sigma_mm", 0.001, 50, [](VectorMachine& m, double v) { m.spot_sigma_mm = v; }},
+    NumberKey{"deflection_khz", 0, 1e6, [](VectorMachine& m, double v) { m.deflection_khz = v; }},
+    NumberKey{"damping", 0.05, 10, [](VectorMachine& m, double v) { m.damping = v; }},
+    NumberKey{"slew_mm_us", 0, 1e6, [](VectorMachine& m, double v) { m.slew_mm_us = v; }},
+    NumberKey{"intensity_mhz", 0, 1e4, [](VectorMachine& m, double v) { m.intensity_mhz = v; }},
+    NumberKey{"spot_growth", 0, 2, [](VectorMachine& m, double v) { m.spot_growth = v; }},
+    NumberKey{"edge_spread", 0, 10, [](VectorMachine& m, double v) { m.edge_spread = v; }},
 };
 
 std::string join(const Words& words) {

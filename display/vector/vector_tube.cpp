@@ -22,7 +22,7 @@ constexpr float kUnseen = 1e-8f;
 }  // namespace
 
 VectorTube::VectorTube(const VectorMachine& machine, int width, int height)
-    : picture_(width, height) {
+    : dynamics_(machine), picture_(width, height) {
   const PhosphorType& type = find_phosphor(machine.phosphor);
   const auto colours = layer_colours(type);
   int planes = 0;
@@ -49,7 +49,9 @@ bool VectorTube::all_unlit() const {
   return true;
 }
 
-bool VectorTube::dark() const { return black_ && lasting_.empty() && all_unlit(); }
+bool VectorTube::dark() const {
+  return black_ && lasting_.empty() && dynamics_.rests() && all_unlit();
+}
 
 /// Gathers the light that what is there gives in the window, and lets it decay.
 void VectorTube::fade(Seconds length, Workers& workers) {
@@ -144,7 +146,7 @@ void VectorTube::compose(Workers& workers) {
 const Image<LinearRgb>& VectorTube::expose(std::span<const BeamMove> moves, Seconds end,
                                            Workers& workers) {
   assert(end >= now_);
-  lasting_.insert(lasting_.end(), moves.begin(), moves.end());
+  dynamics_.follow(moves, end, lasting_);
   strokes_.clear();
   weights_.clear();
   for (const BeamMove& move : lasting_) add_move(move, end);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "display/phosphor.h"
+#include "display/vector/beam_dynamics.h"
 #include "display/vector/beam_move.h"
 #include "display/vector/beam_painter.h"
 #include "display/vector/machine.h"
@@ -15,7 +16,7 @@ namespace kinescope {
 
 /// The light of [now, end) of each exposure, which must follow each other without gaps. 1 is what a
 /// full current leaves in the middle of a line that it draws once, at the machine's usual speed.
-/// Modelled: the spot, the phosphor's decay, colour. Not: settling, ringing, growth of the spot.
+/// Modelled: the beam's dynamics, its spot, the phosphor's decay, colour.
 class VectorTube {
  public:
   /// @param width, height of the picture, pixels; the machine's points lie in its middle, squares
@@ -47,6 +48,7 @@ class VectorTube {
   float sigma_px_;
   double gain_;  // light a second of full current
   Seconds now_{0};
+  BeamDynamics dynamics_;
   TiledLight light_;
   BeamPainter painter_;
   std::vector<BeamMove> lasting_;  // moves that had not ended by now

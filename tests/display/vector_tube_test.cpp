@@ -17,6 +17,7 @@ VectorMachine small_machine() {
   m.screen_mm = 100;
   m.spot_sigma_mm = 1;
   m.speed_units_us = 1;
+  m.deflection_khz = m.slew_mm_us = m.intensity_mhz = m.spot_growth = 0;
   return m;
 }
 
