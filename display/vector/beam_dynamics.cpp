@@ -171,4 +171,17 @@ void BeamDynamics::follow(std::span<const BeamMove> moves, Seconds end,
   }
 }
 
+void BeamDynamics::repeat(Seconds length) {
+  now_ += length;
+  for (std::deque<BeamMove>* const moves : {&commands_, &currents_}) {
+    for (BeamMove& move : *moves) move.begin += length, move.end += length;
+  }
+}
+
+bool BeamDynamics::carries_since(Seconds time) const {
+  const auto began = [&](const BeamMove& move) { return move.begin < time && move.end > now_; };
+  return std::any_of(commands_.begin(), commands_.end(), began) ||
+         std::any_of(currents_.begin(), currents_.end(), began);
+}
+
 }  // namespace kinescope

@@ -23,6 +23,11 @@ class BeamDynamics {
   /// @param moves those that begin before `end` and were not yet given, in order of time
   void follow(std::span<const BeamMove> moves, Seconds end, std::vector<BeamMove>& pieces);
 
+  /// Lets the time pass in which everything happens as it did in a time as long before.
+  void repeat(Seconds length);
+  /// Whether a move lies ahead that began before a time.
+  bool carries_since(Seconds time) const;
+
   Seconds now() const { return now_; }
   /// Where the beam is now, device units.
   double x() const { return x_.place(0); }

@@ -143,22 +143,95 @@ void VectorTube::compose(Workers& workers) {
   });
 }
 
-const Image<LinearRgb>& VectorTube::expose(std::span<const BeamMove> moves, Seconds end,
-                                           Workers& workers) {
-  assert(end >= now_);
+bool VectorTube::carries_since(Seconds time) const {
+  const auto began = [&](const BeamMove& move) { return move.begin < time; };
+  return std::any_of(lasting_.begin(), lasting_.end(), began) || dynamics_.carries_since(time);
+}
+
+void VectorTube::gather_strokes(std::span<const BeamMove> moves, Seconds end) {
   dynamics_.follow(moves, end, lasting_);
   strokes_.clear();
   weights_.clear();
   for (const BeamMove& move : lasting_) add_move(move, end);
   std::erase_if(lasting_, [&](const BeamMove& move) { return move.end <= end; });
+  // What has lasted for longer than this exposure is not the same in the next one.
+  if (carries_since(now_)) repeated_.restart();
+}
+
+/// Everything is as it was in the last exposure.
+void VectorTube::repeat(Seconds length) {
+  dynamics_.repeat(length);
+  for (BeamMove& move : lasting_) move.begin += length, move.end += length;
+}
+
+void VectorTube::draw_cycle(std::span<const BeamMove> moves, Seconds end, Workers& workers) {
+  gather_strokes(moves, end);
+  if (strokes_.empty()) return;  // what only fades is no cycle
+  if (cycle_.tiles() == 0) {
+    cycle_ = TiledLight(light_.width(), light_.height(), light_.planes());
+  } else {
+    cycle_.clear();
+  }
+  painter_.draw(strokes_, weights_, cycle_, workers);
+  has_cycle_ = true;
+}
+
+void VectorTube::add_cycle(Workers& workers) {
+  workers.run(light_.tiles(), [&](int tile, int) {
+    if (!cycle_.lit(tile)) return;
+    float* const light = light_.plane(tile, 0);
+    const float* const more = cycle_.plane(tile, 0);
+    const int floats = light_.planes() * kBeamTilePlane;
+    for (int i = 0; i < floats; ++i) light[i] += more[i];
+    light_.set_lit(tile, true);
+  });
+}
+
+/// Until of what the slowest term held before the list was shown, a ten-millionth is left.
+int VectorTube::exposures_to_balance(Seconds length) const {
+  constexpr double kDecays = 16;
+  double slowest = 0;
+  for (const Layer& layer : layers_) {
+    for (const DecayTerm& term : layer.phosphor.terms) {
+      slowest = std::max(slowest, term.tau.count());
+    }
+  }
+  const double exposures = kDecays * slowest / std::max(length.count(), 1e-9);
+  return static_cast<int>(std::min(1e9, std::ceil(exposures)));
+}
+
+const Image<LinearRgb>& VectorTube::expose(std::span<const BeamMove> moves, Seconds end,
+                                           Workers& workers) {
+  assert(end >= now_);
+  // Before a repetition counts, what the beam did earlier must have faded from its amplifiers.
+  constexpr int kRepetitions = 2;
+  const Seconds length = end - now_;
+  const int repeats = repeated_.count(moves, now_, end);
+  if (repeats < kRepetitions) has_cycle_ = false;
+  if (has_cycle_) {
+    repeat(length);
+    changed_ = repeats < kRepetitions + exposures_to_balance(length);
+  } else if (repeats >= kRepetitions) {
+    draw_cycle(moves, end, workers);
+    changed_ = true;
+  } else {
+    gather_strokes(moves, end);
+    changed_ = true;
+  }
+  now_ = end;
+  if (!changed_) return picture_;
   const bool nothing = strokes_.empty() && all_unlit();
   if (!nothing) {
-    fade(end - now_, workers);
-    painter_.draw(strokes_, weights_, light_, workers);
+    fade(length, workers);
+    if (has_cycle_) {
+      add_cycle(workers);
+    } else {
+      painter_.draw(strokes_, weights_, light_, workers);
+    }
   }
-  if (!nothing || !black_) compose(workers);
+  changed_ = !nothing || !black_;
+  if (changed_) compose(workers);
   black_ = nothing;
-  now_ = end;
   return picture_;
 }
 

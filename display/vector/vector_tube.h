@@ -9,6 +9,7 @@
 #include "display/vector/beam_move.h"
 #include "display/vector/beam_painter.h"
 #include "display/vector/machine.h"
+#include "display/vector/repeated_moves.h"
 #include "raster/base/workers.h"
 #include "raster/image/image.h"
 
@@ -28,6 +29,10 @@ class VectorTube {
   /// @param moves those that begin before `end` and were not yet given; what lasts longer is kept
   /// @return valid until the next call
   const Image<LinearRgb>& expose(std::span<const BeamMove> moves, Seconds end, Workers& workers);
+  /// Whether the last exposure differs from the one before it. Of a list that is refreshed in step
+  /// with the exposures and does not change, the light is drawn once and added again; once the
+  /// phosphor is in balance, an exposure costs nothing.
+  bool changed() const { return changed_; }
 
  private:
   struct Layer {
@@ -41,6 +46,12 @@ class VectorTube {
   void add_stroke(const BeamMove& move, Seconds begin, Seconds end, Seconds until);
   void add_move(const BeamMove& move, Seconds until);
   void compose(Workers& workers);
+  void gather_strokes(std::span<const BeamMove> moves, Seconds end);
+  void draw_cycle(std::span<const BeamMove> moves, Seconds end, Workers& workers);
+  void add_cycle(Workers& workers);
+  void repeat(Seconds length);
+  bool carries_since(Seconds time) const;
+  int exposures_to_balance(Seconds length) const;
 
   std::vector<Layer> layers_;
   bool guns_ = false;
@@ -56,6 +67,11 @@ class VectorTube {
   std::vector<float> weights_;
   Image<LinearRgb> picture_;
   bool black_ = true;  // the picture
+  bool changed_ = true;
+  RepeatedMoves repeated_;
+  TiledLight
+      cycle_;  // what the strokes of one exposure add to light_, if they are the same in each
+  bool has_cycle_ = false;
 };
 
 }  // namespace kinescope

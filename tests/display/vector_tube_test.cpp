@@ -90,5 +90,39 @@ TEST(VectorTube, AListTooLongFlickers) {
   EXPECT_LT(*least, 0.1 * *most);
 }
 
+/// Exposures of a list that is refreshed in step with them, and of the same one drawn anew: a tube
+/// that is given one more, dark move each time in another place never sees a repetition.
+TEST(VectorTube, ARepeatedListShowsTheSameLight) {
+  Workers workers(2);
+  VectorMachine machine = small_machine();
+  machine.deflection_khz = 300;  // the dynamics' state goes on as well
+  machine.phosphor = "P7";
+  const Seconds frame(1.0 / 60);
+  VectorTube tube(machine, 100, 100), anew(machine, 100, 100);
+  int cheap = 0;
+  for (int i = 0; i < 80; ++i) {
+    std::vector<BeamMove> moves{line_at(frame * i + microseconds(3)),
+                                line_at(frame * i + milliseconds(16) + microseconds(640))};
+    const Image<LinearRgb>& got = tube.expose(moves, frame * (i + 1), workers);
+    cheap += !tube.changed();
+    const Seconds rest = frame * i + microseconds(1000 + i);
+    moves.insert(moves.begin() + 1, {90, 50.5, 90, 50.5, rest, rest, 0, {}, 0});
+    const Image<LinearRgb>& want = anew.expose(moves, frame * (i + 1), workers);
+    ASSERT_TRUE(anew.changed());
+    const float peak = std::abs(want.at(50, 49).b);
+    for (int x = 0; x < 100; ++x) {
+      ASSERT_NEAR(got.at(x, 49).g, want.at(x, 49).g, 1e-3f * peak) << i << " " << x;
+      ASSERT_NEAR(got.at(x, 49).b, want.at(x, 49).b, 1e-3f * peak) << i << " " << x;
+    }
+  }
+  EXPECT_GT(cheap, 5);
+  // A change is seen at once.
+  std::vector<BeamMove> other{line_at(frame * 80 + microseconds(3))};
+  const float none = tube.expose({}, frame * 80 + Seconds(1e-6), workers).at(50, 49).b;
+  const Image<LinearRgb>& one = tube.expose(other, frame * 81, workers);
+  EXPECT_TRUE(tube.changed());
+  EXPECT_GT(one.at(50, 49).b, none);
+}
+
 }  // namespace
 }  // namespace kinescope
