@@ -43,6 +43,9 @@ struct VectorMachine {
   double spot_growth = 0;     ///< its width is as the current to this power
   double edge_spread = 0;     ///< share by which it is wider half a screen's width off the middle
   std::string phosphor = "P31";
+  bool penetration = false;  ///< its voltage picks layers: a move's colour is the share of each
+  std::vector<std::string> lacks;  ///< instructions of its words that it does not know
+  bool knows(std::string_view instruction) const;
   std::vector<InstructionCost> costs;
 
   /// In clocks, at least one, for so long a way.

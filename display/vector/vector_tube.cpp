@@ -7,6 +7,7 @@
 
 #include "display/decay.h"
 #include "display/layer_colours.h"
+#include "display/vector/light_kernels.h"
 
 namespace kinescope {
 namespace {
@@ -27,10 +28,11 @@ VectorTube::VectorTube(const VectorMachine& machine, int width, int height)
   const auto colours = layer_colours(type);
   int planes = 0;
   for (std::size_t i = 0; i < type.layers.size(); ++i) {
-    layers_.push_back({type.layers[i], colours[i], type.colour ? i : 0, planes});
+    layers_.push_back(
+        {type.layers[i], colours[i], type.colour || machine.penetration ? i : 0, planes});
     planes += 1 + static_cast<int>(type.layers[i].terms.size());
   }
-  guns_ = type.colour;
+  guns_ = type.colour || machine.penetration;
   light_ = TiledLight(width, height, planes);
   scale_ = std::min(static_cast<double>(width) / machine.width,
                     static_cast<double>(height) / machine.height);
@@ -57,24 +59,18 @@ bool VectorTube::dark() const {
 void VectorTube::fade(Seconds length, Workers& workers) {
   workers.run(light_.tiles(), [&](int tile, int) {
     if (!light_.lit(tile)) return;
-    float most = 0;
+    bool any = false;
     for (const Layer& layer : layers_) {
       float* const sum = light_.plane(tile, layer.first_plane);
       std::fill_n(sum, kBeamTilePlane, 0.0f);
       int plane = layer.first_plane;
       for (const DecayTerm& term : layer.phosphor.terms) {
-        float* const held = light_.plane(tile, ++plane);
         const Decayed after = decayed(length.count(), term.tau.count());
-        const float lost = static_cast<float>(after.lost), left = static_cast<float>(after.left);
-        for (int i = 0; i < kBeamTilePlane; ++i) {
-          sum[i] += held[i] * lost;
-          held[i] = held[i] > kUnseen ? held[i] * left : 0.0f;
-          most = std::max(most, held[i]);
-        }
+        any |= fade_light(sum, light_.plane(tile, ++plane), static_cast<float>(after.lost),
+                          static_cast<float>(after.left), kUnseen, kBeamTilePlane);
       }
-      for (int i = 0; i < kBeamTilePlane; ++i) most = std::max(most, sum[i]);
     }
-    light_.set_lit(tile, most > 0);
+    light_.set_lit(tile, any);
   });
 }
 
@@ -179,10 +175,7 @@ void VectorTube::draw_cycle(std::span<const BeamMove> moves, Seconds end, Worker
 void VectorTube::add_cycle(Workers& workers) {
   workers.run(light_.tiles(), [&](int tile, int) {
     if (!cycle_.lit(tile)) return;
-    float* const light = light_.plane(tile, 0);
-    const float* const more = cycle_.plane(tile, 0);
-    const int floats = light_.planes() * kBeamTilePlane;
-    for (int i = 0; i < floats; ++i) light[i] += more[i];
+    add_light(light_.plane(tile, 0), cycle_.plane(tile, 0), light_.planes() * kBeamTilePlane);
     light_.set_lit(tile, true);
   });
 }

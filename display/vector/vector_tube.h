@@ -54,7 +54,7 @@ class VectorTube {
   int exposures_to_balance(Seconds length) const;
 
   std::vector<Layer> layers_;
-  bool guns_ = false;
+  bool guns_ = false;             // a move's colour has a share for each layer
   double scale_, left_, bottom_;  // pixels a device unit; where (0, 0) lies, pixels
   float sigma_px_;
   double gain_;  // light a second of full current

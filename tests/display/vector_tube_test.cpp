@@ -124,5 +124,45 @@ TEST(VectorTube, ARepeatedListShowsTheSameLight) {
   EXPECT_GT(one.at(50, 49).b, none);
 }
 
+TEST(VectorTube, ThreeGunsMixColours) {
+  Workers workers(1);
+  VectorMachine machine = small_machine();
+  machine.phosphor = "P22";
+  const auto colour_of = [&](std::array<float, 3> guns) {
+    VectorTube tube(machine, 100, 100);
+    std::vector<BeamMove> moves{line_at(Seconds(0))};
+    moves[0].colour = guns;
+    return tube.expose(moves, Seconds(10), workers).at(50, 49);
+  };
+  const LinearRgb white = colour_of({1, 1, 1}), red = colour_of({1, 0, 0});
+  const LinearRgb green = colour_of({0, 1, 0}), blue = colour_of({0, 0, 1});
+  EXPECT_NEAR(white.r, white.g, 0.01f);
+  EXPECT_NEAR(white.b, white.g, 0.01f);
+  EXPECT_NEAR(red.r + green.r + blue.r, white.r, 0.01f);
+  EXPECT_GT(red.r, 10 * std::abs(red.b));
+  EXPECT_GT(blue.b, 10 * std::abs(blue.g));
+}
+
+TEST(VectorTube, APenetrationTubesVoltagePicksTheLayer) {
+  Workers workers(1);
+  VectorMachine machine = small_machine();
+  machine.phosphor = "P14";
+  const auto colour_of = [&](bool penetration, std::array<float, 3> layers) {
+    machine.penetration = penetration;
+    VectorTube tube(machine, 100, 100);
+    std::vector<BeamMove> moves{line_at(Seconds(0))};
+    moves[0].colour = layers;
+    return tube.expose(moves, Seconds(10), workers).at(50, 49);
+  };
+  const LinearRgb outer = colour_of(true, {1, 0, 0}), inner = colour_of(true, {0, 1, 0});
+  const LinearRgb both = colour_of(true, {1, 1, 0}), one_gun = colour_of(false, {1, 0, 0});
+  EXPECT_GT(outer.b, outer.r);  // purplish blue
+  EXPECT_GT(inner.r, inner.b);  // orange
+  EXPECT_NEAR(outer.r + inner.r, both.r, 1e-3f);
+  // Any other tube's layers are lit together, whatever the colour asked for.
+  EXPECT_NEAR(one_gun.r, both.r, 1e-3f);
+  EXPECT_NEAR(one_gun.b, both.b, 1e-3f);
+}
+
 }  // namespace
 }  // namespace kinescope
