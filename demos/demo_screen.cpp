@@ -111,7 +111,7 @@ bool DemoScreen::move() {
     case Move::kForward:
       player_.forward(transport_.step_length(player_.demo().refresh()),
                       std::exchange(waiting_, {}));
-      return true;
+      return !player_.demo().still();
     case Move::kBack:
       return player_.back();
   }

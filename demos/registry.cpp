@@ -19,12 +19,19 @@ DemoInfo tube_demo();
 DemoInfo sync_demo();
 DemoInfo masks_demo();
 DemoInfo light_pen_raster_demo();
+DemoInfo display_file_demo();
+DemoInfo rubber_band_demo();
+DemoInfo light_pen_demo();
+DemoInfo spacewar_demo();
+DemoInfo oscilloscope_demo();
+DemoInfo storage_demo();
 
 std::span<const DemoInfo> all_demos() {
   static const std::array kDemos = {
-      teapot_demo(),   retrace_demo(),         frame_buffer_demo(), phosphors_demo(),
-      pipeline_demo(), test_patterns_demo(),   tube_demo(),         masks_demo(),
-      sync_demo(),     light_pen_raster_demo()};
+      teapot_demo(),    retrace_demo(),          frame_buffer_demo(), phosphors_demo(),
+      pipeline_demo(),  test_patterns_demo(),    tube_demo(),         masks_demo(),
+      sync_demo(),      light_pen_raster_demo(), display_file_demo(), rubber_band_demo(),
+      light_pen_demo(), spacewar_demo(),         oscilloscope_demo(), storage_demo()};
   return kDemos;
 }
 
