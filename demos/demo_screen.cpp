@@ -121,7 +121,8 @@ bool DemoScreen::move() {
 bool DemoScreen::tick(int frames_per_second) {
   const bool moved = move();
   if (message_ticks_ > 0 && --message_ticks_ == 0) message_.clear(), dirty_ = true;
-  if (!moved && !dirty_ && shown_rate_ == frames_per_second) return false;
+  const bool rate_shown = shown_rate_ == frames_per_second || player_.demo().still();
+  if (!moved && !dirty_ && rate_shown) return false;
   dirty_ = false;
   compose(frames_per_second);
   return true;
