@@ -1,6 +1,7 @@
 // The vector beam: vectors of mean length 20 pixels and a spot of deviation 1 pixel onto a picture,
 // the wall time of the whole picture.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -11,6 +12,7 @@
 #include "bench/program.h"
 #include "bench/statistics.h"
 #include "display/vector/beam_painter.h"
+#include "display/vector/vector_tube.h"
 
 namespace kinescope::bench {
 namespace {
@@ -20,6 +22,7 @@ struct Options {
   float length = 20, sigma = 1;
   std::vector<int> threads{1, 2};
   std::vector<int> planes{1};
+  int list = 50000;
   bool json = false;
 };
 
@@ -62,6 +65,39 @@ Row measure(const Options& o, const std::vector<BeamStroke>& strokes, int thread
   return {threads, planes, ms, 1e3 * o.vectors / ms};
 }
 
+/// A list that is refreshed: an exposure in which it is drawn, one that adds its light again, and
+/// one in balance. Of a tube that draws it anew each time every vector's time changes.
+struct ListRow {
+  int threads;
+  double drawn_ms, repeated_ms, balanced_ms;
+};
+
+ListRow measure_list(const Options& o, const std::vector<BeamStroke>& strokes, int threads) {
+  Workers workers(threads);
+  VectorMachine machine = find_vector_machine("generic");
+  machine.width = o.width, machine.height = o.height;
+  machine.screen_mm = o.width, machine.spot_sigma_mm = static_cast<double>(o.sigma);
+  machine.deflection_khz = machine.slew_mm_us = machine.intensity_mhz = machine.spot_growth = 0;
+  VectorTube tube(machine, o.width, o.height);
+  const Seconds frame(1.0 / 60), each = 0.99 * frame / static_cast<double>(strokes.size());
+  std::vector<BeamMove> moves(strokes.size());
+  std::array<std::vector<double>, 3> times;
+  Seconds now{0};
+  for (int run = 0; run < o.runs; ++run) {
+    for (int i = 0; i < 3 + 20; ++i, now += frame) {
+      // Backwards in every other run: no repetition of the one before.
+      for (std::size_t m = 0; m < moves.size(); ++m) {
+        const BeamStroke& s = strokes[run % 2 ? moves.size() - 1 - m : m];
+        const Seconds at = now + each * static_cast<double>(m);
+        moves[m] = {s.x0, o.height - s.y0, s.x1, o.height - s.y1, at, at + each, 1, {1, 1, 1}, 0};
+      }
+      const double ms = milliseconds_of([&] { tube.expose(moves, now + frame, workers); });
+      if (i == 1 || i == 5 || i == 22) times[i == 1 ? 0 : i == 5 ? 1 : 2].push_back(ms);
+    }
+  }
+  return {threads, median(times[0]), median(times[1]), median(times[2])};
+}
+
 int run(int argc, char** argv) {
   Options o;
   CLI::App app("Times the vector beam: many strokes onto a dark picture");
@@ -72,6 +108,8 @@ int run(int argc, char** argv) {
   app.add_option("--sigma", o.sigma, "of the spot, pixels")->check(CLI::Range(0.1f, 30.0f));
   app.add_option("--threads", o.threads, "each a row")->delimiter(',');
   app.add_option("--planes", o.planes, "drawn on at once; each a row")->delimiter(',');
+  app.add_option("--list", o.list, "vectors of a list that is refreshed; 0: none")
+      ->check(CLI::Range(0, 10000000));
   app.add_option("--runs", o.runs, "timed")->check(CLI::Range(1, 1000));
   app.add_flag("--json", o.json, "a list instead of a table");
   CLI11_PARSE(app, argc, argv);
@@ -91,6 +129,24 @@ int run(int argc, char** argv) {
     } else {
       fmt::print("beam: {} threads, {} planes: {:.1f} ms, {:.2f} million vectors a second\n",
                  r.threads, r.planes, r.ms, 1e-6 * r.vectors_a_second);
+    }
+  }
+  if (o.list > 0) {
+    Options list = o;
+    list.vectors = o.list;
+    const ListRow r = measure_list(list, random_strokes(list), o.threads.back());
+    if (o.json) {
+      fmt::print(
+          ",\n  {{\"workload\": \"list\", \"threads\": {}, \"vectors\": {}, \"drawn_ms\": {:.3f}, "
+          "\"repeated_ms\": {:.3f}, \"balanced_ms\": {:.3f}}}",
+          r.threads, o.list, r.drawn_ms, r.repeated_ms, r.balanced_ms);
+    } else {
+      fmt::print(
+          "list of {} vectors: {} threads: drawn {:.1f} ms, repeated {:.1f} ms ({:.3f}), in "
+          "balance "
+          "{:.2f} ms ({:.4f})\n",
+          o.list, r.threads, r.drawn_ms, r.repeated_ms, r.repeated_ms / r.drawn_ms, r.balanced_ms,
+          r.balanced_ms / r.drawn_ms);
     }
   }
   if (o.json) fmt::print("\n]\n");

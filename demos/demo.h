@@ -40,6 +40,9 @@ class Demo {
   /// How often its display shows a whole picture.
   virtual Rate refresh() const { return Rate{60, 1}; }
 
+  /// Whether the last step left the picture as it was.
+  virtual bool still() const { return false; }
+
   /// Turns knobs, resizes, updates and draws: one step.
   /// @param picture resized to the demo's size where it has another
   void step(const Step& step, Image<Srgb8>& picture);

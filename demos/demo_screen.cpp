@@ -112,7 +112,7 @@ bool DemoScreen::move() {
     case Move::kForward:
       player_.forward(transport_.step_length(player_.demo().refresh()),
                       std::exchange(waiting_, {}));
-      return true;
+      return !player_.demo().still();
     case Move::kBack:
       return player_.back();
   }
@@ -122,7 +122,8 @@ bool DemoScreen::move() {
 bool DemoScreen::tick(int frames_per_second) {
   const bool moved = move();
   if (message_ticks_ > 0 && --message_ticks_ == 0) message_.clear(), dirty_ = true;
-  if (!moved && !dirty_ && shown_rate_ == frames_per_second) return false;
+  const bool rate_shown = shown_rate_ == frames_per_second || player_.demo().still();
+  if (!moved && !dirty_ && rate_shown) return false;
   dirty_ = false;
   compose(frames_per_second);
   return true;

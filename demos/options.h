@@ -91,6 +91,12 @@ struct VectorRequest {
   std::optional<int> page;               ///< from 0; none: the last that holds anything
   bool segments = false, texts = false;  ///< print them
   bool pty = false;                      ///< the input is a terminal that programs draw on
+  bool display_file = false;             ///< the input is a display processor's program
+  std::string machine = "generic";       ///< that runs it
+  std::string assemble, disassemble;     ///< a display file to translate, or empty
+  bool list_machines = false;
+  std::optional<double> gain;  ///< none: by the shutter's length
+  Seconds start{0};
 };
 
 /// What `demo` alone takes.

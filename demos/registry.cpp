@@ -45,6 +45,12 @@ DemoInfo transformations_demo();
 DemoInfo practical_7_demo();
 DemoInfo practical_9_demo();
 DemoInfo practical_10_demo();
+DemoInfo display_file_demo();
+DemoInfo rubber_band_demo();
+DemoInfo light_pen_demo();
+DemoInfo spacewar_demo();
+DemoInfo oscilloscope_demo();
+DemoInfo storage_demo();
 
 std::span<const DemoInfo> all_demos() {
   static const std::array kDemos = {teapot_demo(),
@@ -57,6 +63,12 @@ std::span<const DemoInfo> all_demos() {
                                     masks_demo(),
                                     sync_demo(),
                                     light_pen_raster_demo(),
+                                    display_file_demo(),
+                                    rubber_band_demo(),
+                                    light_pen_demo(),
+                                    spacewar_demo(),
+                                    oscilloscope_demo(),
+                                    storage_demo(),
                                     lines_demo(),
                                     circles_demo(),
                                     conics_demo(),

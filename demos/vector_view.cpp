@@ -3,39 +3,107 @@
 #include <algorithm>
 #include <utility>
 
-#include "display/vector/input/strokes_picture.h"
+#include "display/light_encode.h"
+#include "display/vector/storage_tube.h"
 #include "raster/image/draw.h"
 
 namespace kinescope {
 namespace {
 
+using MakeShow = std::function<VectorShow(Size)>;
+
+/// Time on the tube is its own: it begins anew with each size of the window.
 class VectorView : public ClonableDemo<VectorView> {
  public:
-  VectorView(const DemoSetup& setup, std::shared_ptr<const VectorDrawing> drawing,
-             std::shared_ptr<VectorTerminal> terminal)
-      : ClonableDemo(setup, {}), drawing_(std::move(drawing)), terminal_(std::move(terminal)) {}
-
-  std::size_t state_bytes() const override { return sizeof(*this) + cached_.pixels().size_bytes(); }
+  VectorView(const DemoSetup& setup, MakeShow make)
+      : ClonableDemo(setup, {}), make_(std::move(make)) {
+    resized();
+  }
+  std::size_t state_bytes() const override { return sizeof(*this); }
+  bool still() const override { return still_; }
 
  private:
-  void resized() override { stale_ = true; }
-  void update(const Step& step) override {
-    if (!terminal_) return;
-    for (const InputEvent& event : step.events) answer(event);
-    stale_ |= terminal_->poll(0);
+  void resized() override {
+    show_ = make_({width(), height()});
+    now_ = Seconds(0);
+    still_ = false;
   }
-  void draw(const Step&, Image<Srgb8>& picture) override {
-    if (stale_ || cached_.width() != width() || cached_.height() != height()) {
-      const VectorDrawing& shown = terminal_ ? terminal_->drawing() : *drawing_;
-      cached_ = strokes_picture(shown, width(), height(), studio().workers);
+  void update(const Step&) override {}
+  void draw(const Step& step, Image<Srgb8>& picture) override {
+    now_ += step.exposure.length();
+    const Image<LinearRgb>& light = show_.expose(now_, studio().workers);
+    still_ = show_.still();
+    if (still_) return;
+    const double part = std::clamp(step.exposure.length().count() * 60, 1.0 / 64, 1.0);
+    encode_light(light, ExposureGain::fixed(static_cast<float>(1 / part)), studio().workers,
+                 picture);
+  }
+
+  MakeShow make_;
+  VectorShow show_;  // shared by copies
+  Seconds now_{0};
+  bool still_ = false;
+};
+
+/// What a drawing has more than one that had so many strokes and texts.
+VectorDrawing news_of(const VectorDrawing& drawing, std::size_t segments, std::size_t texts) {
+  VectorDrawing news;
+  news.origin = drawing.origin;
+  news.size = drawing.size;
+  for_each_run(drawing, [&](const VectorPen& pen, std::size_t first, std::size_t last) {
+    news.use(pen);
+    for (std::size_t i = std::max(first, segments); i < last; ++i) {
+      news.segments.push_back(drawing.segments[i]);
     }
-    stale_ = false;
-    picture = cached_;
-    if (terminal_ && terminal_->crosshair_shown()) {
-      constexpr Srgb8 kCrosshair{160, 160, 160};
-      draw_line(picture, 0, mouse_y_, width() - 1, mouse_y_, kCrosshair);
-      draw_line(picture, mouse_x_, 0, mouse_x_, height() - 1, kCrosshair);
+  });
+  for (std::size_t i = texts; i < drawing.texts.size(); ++i) {
+    news.texts.push_back(drawing.texts[i]);
+    news.texts.back().segments -= std::min(news.texts.back().segments, segments);
+  }
+  return news;
+}
+
+class TerminalView : public ClonableDemo<TerminalView> {
+ public:
+  TerminalView(const DemoSetup& setup, std::shared_ptr<VectorTerminal> terminal)
+      : ClonableDemo(setup, {}), terminal_(std::move(terminal)) {
+    resized();
+  }
+  std::size_t state_bytes() const override { return sizeof(*this); }
+  bool still() const override { return still_; }
+
+ private:
+  void resized() override {
+    tube_ = std::make_shared<StorageTube>(find_storage_tube("4014"), width(), height());
+    now_ = Seconds(0);
+    segments_ = texts_ = 0;
+  }
+  void update(const Step& step) override {
+    still_ = step.events.empty();
+    for (const InputEvent& event : step.events) answer(event);
+    terminal_->poll(0);
+    const VectorDrawing& drawing = terminal_->drawing();
+    if (drawing.segments.size() < segments_ || drawing.texts.size() < texts_) {
+      tube_->erase();
+      segments_ = texts_ = 0;
     }
+    if (drawing.segments.size() == segments_ && drawing.texts.size() == texts_) return;
+    tube_->draw(news_of(drawing, segments_, texts_));
+    segments_ = drawing.segments.size();
+    texts_ = drawing.texts.size();
+  }
+  void draw(const Step& step, Image<Srgb8>& picture) override {
+    now_ += step.exposure.length();
+    const Image<LinearRgb>& light = tube_->expose(now_, studio().workers);
+    const bool crosshair = terminal_->crosshair_shown();
+    still_ = still_ && !tube_->changed() && crosshair == crosshair_;
+    crosshair_ = crosshair;
+    if (still_) return;
+    encode_light(light, ExposureGain::fixed(1), studio().workers, picture);
+    if (!crosshair) return;
+    constexpr Srgb8 kCrosshair{160, 160, 160};
+    draw_line(picture, 0, mouse_y_, width() - 1, mouse_y_, kCrosshair);
+    draw_line(picture, mouse_x_, 0, mouse_x_, height() - 1, kCrosshair);
   }
 
   /// Tells the terminal what the user did with the crosshair.
@@ -56,30 +124,30 @@ class VectorView : public ClonableDemo<VectorView> {
                      std::clamp(static_cast<int>(at.y), 0, 3119));
   }
 
-  std::shared_ptr<const VectorDrawing> drawing_;
   std::shared_ptr<VectorTerminal> terminal_;
-  Image<Srgb8> cached_;
-  bool stale_ = true;
+  std::shared_ptr<StorageTube> tube_;
+  Seconds now_{0};
+  std::size_t segments_ = 0, texts_ = 0;  // that the tube was given
+  bool still_ = false, crosshair_ = false;
   int mouse_x_ = 0, mouse_y_ = 0;
 };
 
-DemoInfo info_of(std::shared_ptr<const VectorDrawing> drawing,
-                 std::shared_ptr<VectorTerminal> terminal) {
+}  // namespace
+
+DemoInfo vector_view(MakeShow make) {
   DemoInfo info{"vector", "", "Strokes of the user's own", {}};
-  info.create = [drawing, terminal](const DemoSetup& setup) {
-    return std::make_unique<VectorView>(setup, drawing, terminal);
+  info.create = [make = std::move(make)](const DemoSetup& setup) {
+    return std::make_unique<VectorView>(setup, make);
   };
   return info;
 }
 
-}  // namespace
-
-DemoInfo vector_view(VectorDrawing drawing) {
-  return info_of(std::make_shared<const VectorDrawing>(std::move(drawing)), nullptr);
-}
-
 DemoInfo vector_view(std::shared_ptr<VectorTerminal> terminal) {
-  return info_of(nullptr, std::move(terminal));
+  DemoInfo info{"vector", "", "Strokes of the user's own", {}};
+  info.create = [terminal](const DemoSetup& setup) {
+    return std::make_unique<TerminalView>(setup, terminal);
+  };
+  return info;
 }
 
 }  // namespace kinescope

@@ -7,13 +7,16 @@
 
 #include "demos/commands/commands.h"
 #include "demos/console.h"
+#include "demos/display_file_input.h"
 #include "demos/film.h"
 #include "demos/json.h"
+#include "demos/progress.h"
 #include "demos/session.h"
+#include "demos/vector_film.h"
 #include "demos/vector_view.h"
 #include "display/presenter.h"
+#include "display/vector/beam_move.h"
 #include "display/vector/input/read_vectors.h"
-#include "display/vector/input/strokes_picture.h"
 #include "display/vector/input/write_svg.h"
 #include "raster/base/error.h"
 #include "raster/base/output_file.h"
@@ -85,17 +88,35 @@ bool wants_svg(const Options& options, const std::string& output) {
   return std::filesystem::path(output).extension() == ".svg";
 }
 
-void write_picture(const Options& options, const VectorDrawing& drawing,
-                   const std::string& output) {
-  check_writable(output);
-  if (wants_svg(options, output)) return write_svg(output, drawing);
-  if (film_format(output, options.picture.format, false) != FilmFormat::kPng) {
-    throw Error(ErrorKind::kUsage, output + ": a drawing becomes a .png or a .svg", "-o");
+/// What is shown, and on what.
+struct Shown {
+  VectorDrawing page;                          ///< of a display file: one refresh of it
+  const VectorMachine* machine = nullptr;      ///< that runs the program; none: a drawing
+  std::shared_ptr<const DisplayFile> program;  ///< of a machine
+  std::string name;
+  bool stored = false;  ///< drawn on a storage tube, as Tektronix terminals did
+  VectorShow show(Size size) const {
+    if (machine != nullptr) return processor_show(*machine, program, size, name);
+    return stored ? storage_show(page, size) : refreshed_show(page, size);
   }
+};
+
+void write_picture(const Options& options, const Shown& shown, const std::string& output) {
+  check_writable(output);
+  if (wants_svg(options, output)) return write_svg(output, shown.page);
+  const bool several = options.picture.frames.has_value();
+  const FilmFormat format = film_format(output, options.picture.format, several);
+  check_output(options, format);
   const Size size = options.picture.size.value_or(Size{1280, 960});
-  check_memory(size, 24.0 * size.width * size.height);
+  check_memory(size, 64.0 * size.width * size.height +
+                         static_cast<double>(shown.page.segments.size()) * 2 * sizeof(BeamMove));
   Workers workers(options.common.threads);
-  write_png(output, strokes_picture(drawing, size.width, size.height, workers));
+  VectorFilm shots(vector_shot(options), shown.show(size), workers);
+  Film film(output, format, size, shots.rate());
+  Progress progress("photographing", several ? options.picture.frames->count() : 1,
+                    several && !options.common.quiet);
+  for (int done = 1; shots.shoot(film); ++done) progress.done(done);
+  film.close();
 }
 
 std::string stem_of(const std::string& input) {
@@ -106,17 +127,17 @@ bool wants_window(const Options& options) {
   return options.picture.output.empty() && !options.common.headless && Presenter::available();
 }
 
-int show(const Options& options, const DemoInfo& view) {
+int open_window(const Options& options, const DemoInfo& view) {
   const Size size = options.picture.size.value_or(Size{1280, 960});
   return run_demo_window(view,
                          {size.width, size.height, options.common.seed, options.common.threads});
 }
 
 /// The page, or what the terminal shows at last, to its file.
-void finish(const Options& options, const VectorDrawing& page, const std::string& stem) {
+void finish(const Options& options, const Shown& shown, const std::string& stem) {
   std::string output = options.picture.output;
-  if (output.empty()) output = output_in_out(stem, false);
-  write_picture(options, page, output);
+  if (output.empty()) output = output_in_out(stem, options.picture.frames.has_value());
+  write_picture(options, shown, output);
   if (options.picture.output.empty()) print_remark("wrote " + output, options.common.quiet);
 }
 
@@ -128,18 +149,85 @@ int run_terminal(const Options& options) {
   }
   const auto terminal = std::make_shared<VectorTerminal>(options.vector.kind);
   print_result(terminal->name() + "\n");
-  if (wants_window(options)) return show(options, vector_view(terminal));
+  if (wants_window(options)) return open_window(options, vector_view(terminal));
   while (!terminal->finished()) terminal->poll(20);
   if (options.vector.segments) print_segments(terminal->drawing());
   if (options.vector.texts) print_texts(terminal->drawing());
-  finish(options, terminal->drawing(), "vector");
+  Shown shown;
+  shown.page = terminal->drawing();
+  shown.stored = options.vector.kind != VectorKind::kHpgl;
+  finish(options, shown, "vector");
   return 0;
+}
+
+int list_machines(const Options& options) {
+  std::string table;
+  JsonWriter json;
+  json.begin_array();
+  for (const VectorMachine& m : vector_machines()) {
+    table += fmt::format("{:8}  {:>4} x {:<4}  {:5}  {}\n", m.name, m.width, m.height, m.phosphor,
+                         m.note);
+    json.begin_object().member("name", m.name).member("width", m.width).member("height", m.height);
+    json.member("words", m.words).member("phosphor", m.phosphor).member("note", m.note);
+    json.end_object();
+  }
+  print_result(options.common.json ? json.end_array().text() : table);
+  return 0;
+}
+
+/// Text to words, or words to text.
+int translate(const Options& options) {
+  const bool to_words = !options.vector.assemble.empty();
+  const InstructionSet& set = instruction_set(find_vector_machine(options.vector.machine).words);
+  InputFile input(to_words ? options.vector.assemble : options.vector.disassemble);
+  const DisplayFile file = read_display_file(input, set, to_words);
+  const std::string& output = options.picture.output;
+  const bool binary = to_words && !output.empty();
+  if (binary && file.start != 0) {
+    print_warnings({fmt::format("words are run from address 0; \"start\" is {}", file.start)},
+                   options.common.quiet);
+  }
+  OutputFile out(output.empty() ? "-" : output);
+  out.write(binary ? words_as_bytes(file.words, set) : disassemble(file.words, set));
+  out.commit();
+  return 0;
+}
+
+/// What is to be shown; figures that were asked for are printed.
+Shown read_input(const Options& options) {
+  const VectorRequest& request = options.vector;
+  InputFile input(request.input);
+  Shown shown;
+  shown.name = input.name();
+  VectorDrawing drawing;
+  if (request.display_file) {
+    shown.machine = &find_vector_machine(request.machine);
+    const InstructionSet& set = instruction_set(shown.machine->words);
+    shown.program = std::make_shared<DisplayFile>(read_display_file(input, set, std::nullopt));
+    drawing = one_refresh(*shown.machine, *shown.program, shown.name);
+  } else {
+    const auto kind = request.kind ? request.kind : recognise_vectors(input.peek(kRecogniseBytes));
+    shown.stored = kind == VectorKind::kTek;
+    Warnings warnings;
+    drawing = read_vectors(input, request.kind, &warnings);
+    print_warnings(warnings, options.common.quiet);
+  }
+  if (request.segments) print_segments(drawing);
+  if (request.texts) print_texts(drawing);
+  std::vector<VectorDrawing> all = pages(std::move(drawing));
+  if (options.common.json) print_figures(options, all);
+  const bool printed = request.segments || request.texts || options.common.json;
+  if (printed && options.picture.output.empty()) return shown;
+  shown.page = shown_page(options, std::move(all), input.name());
+  return shown;
 }
 
 }  // namespace
 
 int run_vector(const Options& options) {
   const VectorRequest& request = options.vector;
+  if (request.list_machines) return list_machines(options);
+  if (!request.assemble.empty() || !request.disassemble.empty()) return translate(options);
   if (request.pty) return run_terminal(options);
   if (request.input.empty()) {
     throw Error(
@@ -147,19 +235,13 @@ int run_vector(const Options& options) {
         "nothing to draw: name a Tektronix, HP-GL, SVG or WAV file, - for standard input, or "
         "--pty");
   }
-  InputFile input(request.input);
-  Warnings warnings;
-  VectorDrawing drawing = read_vectors(input, request.kind, &warnings);
-  print_warnings(warnings, options.common.quiet);
-  if (request.segments) print_segments(drawing);
-  if (request.texts) print_texts(drawing);
-  std::vector<VectorDrawing> all = pages(std::move(drawing));
-  if (options.common.json) print_figures(options, all);
+  const Shown shown = read_input(options);
   const bool printed = request.segments || request.texts || options.common.json;
   if (options.picture.output.empty() && printed) return 0;
-  VectorDrawing page = shown_page(options, std::move(all), input.name());
-  if (wants_window(options)) return show(options, vector_view(std::move(page)));
-  finish(options, page, stem_of(request.input));
+  if (wants_window(options)) {
+    return open_window(options, vector_view([shown](Size size) { return shown.show(size); }));
+  }
+  finish(options, shown, stem_of(request.input));
   return 0;
 }
 

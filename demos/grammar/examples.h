@@ -41,7 +41,10 @@ Examples:
   gnuplot -e 'set term tek40xx; plot sin(x)' | kinescope vector - -o plot.png
   kinescope vector plot.hpgl -o plot.svg
   kinescope vector drawing.svg --segments
-  kinescope vector --pty)";
+  kinescope vector --pty
+  kinescope vector list.txt --kind display-file --machine dvg -o asteroids.png
+  kinescope vector --assemble list.txt -o list.bin
+  kinescope vector --list-machines)";
 
 inline constexpr const char* kTimingExamples =
     R"(MODE is a name such as 640x480@60, gtf:WxH@HZ, cvt:WxH@HZ, cvtrb:WxH@HZ, or a Modeline.

@@ -59,14 +59,14 @@ void add_size(CLI::App& app, PictureOptions& picture) {
       });
 }
 
-void add_picture(CLI::App& app, PictureOptions& picture) {
-  add(app, "-o", "OUT", "NAME.png, NAME.y4m, frame_####.png, or - for standard output",
+void add_picture(CLI::App& app, PictureOptions& picture, const std::vector<std::string>& formats) {
+  const std::string svg = formats.back() == "svg" ? "NAME.svg, " : "";
+  add(app, "-o", "OUT", "NAME.png, NAME.y4m, " + svg + "frame_####.png, or - for standard output",
       [&](const std::string& text, const std::string& option) {
         if (text.empty()) throw Error(ErrorKind::kUsage, "the name is empty", option);
         picture.output = text;
       });
   add_size(app, picture);
-  const std::vector<std::string> formats{"png", "y4m", "raw"};
   add_choice(app, "--format", formats, "what -o holds, whatever its name; raw is RGB, 8 bits each",
              [&picture, formats](std::size_t i) { picture.format = formats[i]; });
   add(app, "--frames", "N|A-B", "a film of frames 0 to N-1, or A to B",

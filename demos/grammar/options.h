@@ -22,7 +22,9 @@ void add_choice(CLI::App& app, const std::string& names, std::vector<std::string
 // Values land in the options while CLI11 parses; both must outlive the App.
 void add_common(CLI::App& app, CommonOptions& common);
 void add_size(CLI::App& app, PictureOptions& picture);
-void add_picture(CLI::App& app, PictureOptions& picture);
+/// @param formats that --format takes; svg only where strokes are at hand
+void add_picture(CLI::App& app, PictureOptions& picture,
+                 const std::vector<std::string>& formats = {"png", "y4m", "raw"});
 /// @param or_bare whether the picture may also be left as it is
 void add_display(CLI::App& app, PictureOptions& picture, bool or_bare);
 void add_depth(CLI::App& app, PictureOptions& picture);

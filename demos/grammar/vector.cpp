@@ -3,32 +3,65 @@
 
 #include "demos/grammar/commands.h"
 #include "demos/grammar/options.h"
+#include "display/vector/machine.h"
 #include "raster/base/error.h"
 
 namespace kinescope::grammar {
+namespace {
+
+/// What concerns display files alone.
+void add_display_files(CLI::App& app, VectorRequest& request) {
+  std::string machines;
+  for (const VectorMachine& machine : vector_machines()) {
+    machines += (machines.empty() ? "" : ", ") + machine.name;
+  }
+  add(app, "--machine", "NAME",
+      "the display machine that runs a display file: " + machines + " (default: generic)",
+      [&](const std::string& text, const std::string&) {
+        request.machine = find_vector_machine(text).name;
+      });
+  app.add_flag("--list-machines", request.list_machines, "list the machines and leave");
+  add(app, "--assemble", "FILE",
+      "translate a display file's text into words (-o), or print it with its addresses",
+      [&](const std::string& text, const std::string&) { request.assemble = text; });
+  add(app, "--disassemble", "FILE", "print a display file's words as text",
+      [&](const std::string& text, const std::string&) { request.disassemble = text; });
+}
+
+void add_exposure(CLI::App& app, Options& options) {
+  add(app, "--gain", "G|auto",
+      "brightness: the light times G, or (auto, default) light over the shutter's length",
+      [&](const std::string& text, const std::string& option) {
+        options.vector.gain = parse_gain(text, option);
+      });
+  add(app, "--start", "SECONDS", "when the first picture is taken (default: 0, as drawing begins)",
+      [&](const std::string& text, const std::string& option) {
+        options.vector.start = parse_start(text, option);
+      });
+  add_depth(app, options.picture);
+}
+
+}  // namespace
 
 void add_vector_command(CLI::App& app, Options& options) {
   VectorRequest& request = options.vector;
-  app.add_option("IN", request.input,
-                 "a Tektronix 4010 or 4014 stream, HP-GL, SVG or stereo WAV, or - for standard "
-                 "input")
+  app.add_option(
+         "IN", request.input,
+         "a Tektronix 4010 or 4014 stream, HP-GL, SVG, stereo WAV or display file, or - for "
+         "standard input")
       ->type_name("");
   std::vector<std::string> kinds{"auto"};
   for (const std::string_view name : vector_kind_names()) kinds.emplace_back(name);
+  kinds.emplace_back("display-file");
   add_choice(app, "--kind", kinds, "what the input is (default: auto, by its content)",
              [&request](std::size_t i) {
                request.kind.reset();
-               if (i > 0) request.kind = static_cast<VectorKind>(i - 1);
+               request.display_file = i > vector_kind_names().size();
+               if (i > 0 && !request.display_file) request.kind = static_cast<VectorKind>(i - 1);
              });
-  add(app, "-o", "OUT", "NAME.png, NAME.svg, or - for standard output",
-      [&](const std::string& text, const std::string& option) {
-        if (text.empty()) throw Error(ErrorKind::kUsage, "the name is empty", option);
-        options.picture.output = text;
-      });
-  const std::vector<std::string> formats{"png", "svg"};
-  add_choice(app, "--format", formats, "what -o holds, whatever its name",
-             [&options, formats](std::size_t i) { options.picture.format = formats[i]; });
-  add_size(app, options.picture);
+  add_picture(app, options.picture, {"png", "y4m", "raw", "svg"});
+  add_exposure(app, options);
+  add_display_files(app, request);
   app.add_flag("--segments", request.segments,
                "print what was decoded, x1 y1 x2 y2 intensity a line, in device units");
   app.add_flag("--texts", request.texts,

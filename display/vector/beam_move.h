@@ -16,6 +16,7 @@ struct BeamMove {
   float intensity = 0;                   ///< 0 is dark, 1 the full current
   std::array<float, 3> colour{1, 1, 1};  ///< share of each gun; of a penetration tube see there
   Address address = 0;                   ///< of the instruction
+  float spread = 1;                      ///< times the spot's usual width: above 1 out of focus
 };
 
 }  // namespace kinescope

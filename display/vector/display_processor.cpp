@@ -32,7 +32,7 @@ void ProcessorCore::move_beam(double x, double y, std::int64_t clocks, float int
   moves_->push_back(move);
   if (!pen_ || !s.pen_on) return;
   if (const auto sight = see(*pen_, move)) {
-    hit_ = VectorPenHit{at_, s.calls, sight->x, sight->y, sight->time};
+    hit_ = BeamPenHit{at_, s.calls, sight->x, sight->y, sight->time};
     s.status = ProcessorStatus::kPenHit;
   }
 }

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "display/vector/beam_move.h"
+#include "display/vector/beam_pen.h"
 #include "display/vector/display_memory.h"
 #include "display/vector/instruction_set.h"
 #include "display/vector/machine.h"
-#include "display/vector/vector_pen.h"
 
 namespace kinescope {
 
@@ -81,8 +81,8 @@ class ProcessorCore {
   Address at_ = 0;  // of the instruction being carried out
   std::vector<BeamMove>* moves_ = nullptr;
   std::optional<ProcessorFault> fault_;
-  std::optional<VectorPen> pen_;
-  std::optional<VectorPenHit> hit_;
+  std::optional<BeamPen> pen_;
+  std::optional<BeamPenHit> hit_;
 };
 
 class DisplayProcessor : private ProcessorCore {
@@ -108,9 +108,9 @@ class DisplayProcessor : private ProcessorCore {
   /// @throws Error (bad input) if it has stopped by a fault, naming the address
   void throw_fault(const std::string& file) const;
 
-  void hold_pen(const std::optional<VectorPen>& pen) { pen_ = pen; }
+  void hold_pen(const std::optional<BeamPen>& pen) { pen_ = pen; }
   /// The last hit since start() or resume().
-  const std::optional<VectorPenHit>& hit() const { return hit_; }
+  const std::optional<BeamPenHit>& hit() const { return hit_; }
 
   /// How often the list began, and the time from the last beginning but one to the last.
   std::int64_t refreshes() const { return refreshes_; }

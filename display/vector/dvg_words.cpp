@@ -36,11 +36,12 @@ struct ShortVector {
         z(field(w, 4, 4)) {}
 };
 
-/// Draws a way, of 10 bits each, by the sum of scales: four bits, and what passes 9 is least.
+/// Draws a way, of 10 bits each, by the sum of scales: four bits; beyond 9 the counter stops at
+/// once.
 void vector(ProcessorCore& core, int dx, int dy, int scale, int z) {
   const ProcessorState& s = core.state();
-  int sum = (scale + s.scale) & 15;
-  if (sum > kMostScale) sum = -1;
+  const int sum = (scale + s.scale) & 15;
+  if (sum > kMostScale) return;
   const double share = std::ldexp(1.0, sum - kMostScale);
   const std::int64_t steps = std::int64_t{1} << (sum + 1);
   core.move_beam(s.x + dx * share, s.y + dy * share, steps * kClocksAStep,

@@ -8,9 +8,12 @@
 //   rtsl
 //   halt                     until started again
 //
-// A vector takes 2^(s + 1) steps of 8 clocks whatever its direction, s being the sum of scales, at
-// most 9: so its brightness depends on its length. Not modelled: what its state machine needs
-// besides for fetching (each word is taken to cost two steps, a byte each), and `labs`'s settling.
+// A vector takes 2^(s + 1) steps of 8 clocks whatever its direction, s being the sum of scales,
+// four bits; beyond 9 none at all. So its brightness depends on its length. Words, scales, steps
+// and the stack of four calls agree with MAME's avgdvg.cpp, which follows the schematics. Not
+// modelled: what the state machine needs besides for fetching (each word is taken to cost two
+// steps, a byte each: assumed), `labs`'s settling, and that counters that leave the screen blank
+// the beam.
 #pragma once
 
 #include "display/vector/instruction_set.h"

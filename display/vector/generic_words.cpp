@@ -268,14 +268,18 @@ void GenericWords::step(ProcessorCore& core) const {
   const std::size_t number = *word >> kOperandBits;
   if (number >= kOps.size()) return core.fault(fmt::format("{:#010x} is no instruction", *word));
   const Op op = static_cast<Op>(number);
+  const std::string_view name = kOps[number].name;
+  if (!core.machine().knows(name)) {
+    return core.fault(fmt::format("{} has no {}", core.machine().name, name));
+  }
   if (op == Op::kChars) {
     call_character(core, *word, at);
     if (s.character == 0 && s.status == ProcessorStatus::kRunning) s.next = at + 1;
     return;
   }
   s.next = at + 1;
-  if (drives_beam(op)) return draw(core, op, kOps[number].name, *word);
-  core.spend(kOps[number].name);
+  if (drives_beam(op)) return draw(core, op, name, *word);
+  core.spend(name);
   control(core, op, *word, at);
 }
 

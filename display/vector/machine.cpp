@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "display/data_lines.h"
+#include "display/phosphor.h"
 #include "display/vector/instruction_set.h"
 #include "raster/base/error.h"
 #include "vector_machines.h"
@@ -33,6 +34,13 @@ constexpr std::array kNumbers{
     NumberKey{"speed_units_us", 1e-3, 1e6,
               [](VectorMachine& m, double v) { m.speed_units_us = v; }},
     NumberKey{"spot_sigma_mm", 0.001, 50, [](VectorMachine& m, double v) { m.spot_sigma_mm = v; }},
+    NumberKey{"deflection_khz", 0, 1e6, [](VectorMachine& m, double v) { m.deflection_khz = v; }},
+    NumberKey{"damping", 0.05, 10, [](VectorMachine& m, double v) { m.damping = v; }},
+    NumberKey{"slew_mm_us", 0, 1e6, [](VectorMachine& m, double v) { m.slew_mm_us = v; }},
+    NumberKey{"intensity_mhz", 0, 1e4, [](VectorMachine& m, double v) { m.intensity_mhz = v; }},
+    NumberKey{"spot_growth", 0, 2, [](VectorMachine& m, double v) { m.spot_growth = v; }},
+    NumberKey{"penetration", 0, 1, [](VectorMachine& m, double v) { m.penetration = v != 0; }},
+    NumberKey{"edge_spread", 0, 10, [](VectorMachine& m, double v) { m.edge_spread = v; }},
 };
 
 std::string join(const Words& words) {
@@ -53,11 +61,13 @@ class MachineReader {
       read_line(words);
     });
     where_ = {};
+    find_phosphor_or_tell();
     if (!has_instruction_set(machine_.words)) {
       fail("words " + machine_.words + " are not known; there are " + instruction_set_names());
     }
     for (const std::string& name : instruction_set(machine_.words).cost_names()) {
       const auto named = [&](const InstructionCost& c) { return c.name == name; };
+      if (!machine_.knows(name)) continue;
       if (std::none_of(machine_.costs.begin(), machine_.costs.end(), named)) {
         fail("the cost of " + name + " is missing");
       }
@@ -77,6 +87,14 @@ class MachineReader {
     return v;
   }
 
+  void find_phosphor_or_tell() const {
+    try {
+      find_phosphor(machine_.phosphor);
+    } catch (const Error& error) {
+      fail(error.what());
+    }
+  }
+
   void read_line(const Words& words) {
     const std::string& key = words[0];
     const auto found = std::find_if(kNumbers.begin(), kNumbers.end(),
@@ -93,6 +111,8 @@ class MachineReader {
       machine_.note = join(words);
     } else if (key == "source") {
       machine_.source += (machine_.source.empty() ? "" : " ") + join(words);
+    } else if (key == "lacks") {
+      machine_.lacks.insert(machine_.lacks.end(), words.begin() + 1, words.end());
     } else if (key == "words") {
       machine_.words = words[1];
     } else if (key == "phosphor") {
@@ -115,6 +135,10 @@ std::int64_t VectorMachine::clocks(std::string_view instruction, double units) c
     return std::max<std::int64_t>(1, std::llround(us * 1e-6 * clock_hz));
   }
   return 1;
+}
+
+bool VectorMachine::knows(std::string_view instruction) const {
+  return std::find(lacks.begin(), lacks.end(), instruction) == lacks.end();
 }
 
 VectorMachine parse_vector_machine(std::string_view text, const std::string& name,

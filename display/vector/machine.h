@@ -36,7 +36,16 @@ struct VectorMachine {
   double watchdog_ms = 100;   ///< so long without a stroke or a wait counts as an endless loop
   double speed_units_us = 1;  ///< at which a full current makes lines as bright as white
   double spot_sigma_mm = 0.2;
+  double deflection_khz = 0;  ///< bandwidth of its amplifiers (DeflectionLaw); 0: not limited
+  double damping = 0.7;       ///< of them
+  double slew_mm_us = 0;      ///< most speed of each axis; 0: not limited
+  double intensity_mhz = 0;   ///< bandwidth of the beam's current, first order; 0: not limited
+  double spot_growth = 0;     ///< its width is as the current to this power
+  double edge_spread = 0;     ///< share by which it is wider half a screen's width off the middle
   std::string phosphor = "P31";
+  bool penetration = false;  ///< its voltage picks layers: a move's colour is the share of each
+  std::vector<std::string> lacks;  ///< instructions of its words that it does not know
+  bool knows(std::string_view instruction) const;
   std::vector<InstructionCost> costs;
 
   /// In clocks, at least one, for so long a way.

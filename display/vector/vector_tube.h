@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "display/phosphor.h"
+#include "display/vector/beam_dynamics.h"
 #include "display/vector/beam_move.h"
 #include "display/vector/beam_painter.h"
 #include "display/vector/machine.h"
+#include "display/vector/repeated_moves.h"
 #include "raster/base/workers.h"
 #include "raster/image/image.h"
 
@@ -15,16 +17,22 @@ namespace kinescope {
 
 /// The light of [now, end) of each exposure, which must follow each other without gaps. 1 is what a
 /// full current leaves in the middle of a line that it draws once, at the machine's usual speed.
-/// Modelled: the spot, the phosphor's decay, colour. Not: settling, ringing, growth of the spot.
+/// Modelled: the beam's dynamics, its spot, the phosphor's decay, colour.
 class VectorTube {
  public:
   /// @param width, height of the picture, pixels; the machine's points lie in its middle, squares
   VectorTube(const VectorMachine& machine, int width, int height);
 
   Seconds now() const { return now_; }
+  /// Nothing glows, and nothing that was given lies ahead: until moves come, pictures are black.
+  bool dark() const;
   /// @param moves those that begin before `end` and were not yet given; what lasts longer is kept
   /// @return valid until the next call
   const Image<LinearRgb>& expose(std::span<const BeamMove> moves, Seconds end, Workers& workers);
+  /// Whether the last exposure differs from the one before it. Of a list that is refreshed in step
+  /// with the exposures and does not change, the light is drawn once and added again; once the
+  /// phosphor is in balance, an exposure costs nothing.
+  bool changed() const { return changed_; }
 
  private:
   struct Layer {
@@ -33,23 +41,37 @@ class VectorTube {
     std::size_t gun;
     int first_plane;  // its light; light to come of each term follows
   };
+  bool all_unlit() const;
   void fade(Seconds length, Workers& workers);
   void add_stroke(const BeamMove& move, Seconds begin, Seconds end, Seconds until);
   void add_move(const BeamMove& move, Seconds until);
   void compose(Workers& workers);
+  void gather_strokes(std::span<const BeamMove> moves, Seconds end);
+  void draw_cycle(std::span<const BeamMove> moves, Seconds end, Workers& workers);
+  void add_cycle(Workers& workers);
+  void repeat(Seconds length);
+  bool carries_since(Seconds time) const;
+  int exposures_to_balance(Seconds length) const;
 
   std::vector<Layer> layers_;
-  bool guns_ = false;
+  bool guns_ = false;             // a move's colour has a share for each layer
   double scale_, left_, bottom_;  // pixels a device unit; where (0, 0) lies, pixels
   float sigma_px_;
   double gain_;  // light a second of full current
   Seconds now_{0};
+  BeamDynamics dynamics_;
   TiledLight light_;
   BeamPainter painter_;
   std::vector<BeamMove> lasting_;  // moves that had not ended by now
   std::vector<BeamStroke> strokes_;
   std::vector<float> weights_;
   Image<LinearRgb> picture_;
+  bool black_ = true;  // the picture
+  bool changed_ = true;
+  RepeatedMoves repeated_;
+  TiledLight
+      cycle_;  // what the strokes of one exposure add to light_, if they are the same in each
+  bool has_cycle_ = false;
 };
 
 }  // namespace kinescope

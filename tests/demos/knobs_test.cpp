@@ -129,7 +129,8 @@ TEST_P(EveryKnob, EachTurnOfEachKnobChangesThePicture) {
         const Keys turn = knobs[i].keys_to(value);
         keys.insert(keys.end(), turn.begin(), turn.end());
         Run turned(info(), keys);
-        for (std::size_t k = 0; k < 4 && !changed; ++k) changed = base.picture(k) != turned.picture(k);
+        for (std::size_t k = 0; k < 4 && !changed; ++k)
+          changed = base.picture(k) != turned.picture(k);
         if (changed) break;
       }
       EXPECT_TRUE(changed) << knobs[i].name << " turned to " << value;

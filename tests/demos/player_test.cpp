@@ -96,8 +96,7 @@ class ForwardAndBack : public EveryDemo {
 
 TEST_P(ForwardAndBack, GivesTheSamePictures) {
   // With one snapshot, and with the usual budget: each must lead back to the same light.
-  for (const auto& [budget, steps] :
-       {std::pair{std::size_t{0}, 7}, {Player::kSnapshotBytes, 27}}) {
+  for (const auto& [budget, steps] : {std::pair{std::size_t{0}, 7}, {Player::kSnapshotBytes, 27}}) {
     Player player(info(), small_setup(), budget);
     std::vector<std::uint64_t> hashes;
     play(player, hashes, steps);

@@ -149,7 +149,9 @@ TEST(ProgramVector, BadUsage) {
       {{"vector"}, "nothing to draw"},
       {{"vector", "-", "--kind", "letter"}, "--kind"},
       {{"vector", "a", "--pty"}, "--pty"},
-      {{"vector", "-", "-o", "a.y4m"}, "-o"},
+      {{"vector", "-", "-o", "a.gif"}, "a.gif"},
+      {{"vector", "-", "--shutter", "1", "-o", "a.png"}, "--shutter"},
+      {{"vector", "-", "--machine", "pdp-99"}, "generic"},
   };
   for (const auto& [arguments, hint] : lines) {
     const RunResult run = run_kinescope(arguments, {.input = "IN;PA0,0;PD1,1"});
@@ -157,6 +159,52 @@ TEST(ProgramVector, BadUsage) {
     EXPECT_EQ(run.lines_of_err(), 1) << run.err;
     EXPECT_THAT(run.err, HasSubstr(hint));
   }
+}
+
+constexpr const char* kList =
+    "        sync\n        move 100 200\n        draw 2000 200\n        again\n";
+
+TEST(ProgramVector, DisplayFilesThereAndBack) {
+  TemporaryFolder folder;
+  write_text(folder / "a.txt", kList);
+  const RunResult run = run_shell(
+      "kinescope vector --assemble a.txt -o a.bin && kinescope vector --disassemble a.bin > b.txt "
+      "&& kinescope vector --assemble b.txt -o b.bin && cmp a.bin b.bin && kinescope vector a.bin "
+      "--kind display-file --segments && kinescope vector a.txt --kind display-file -o a.png && "
+      "kinescope vector a.txt --kind display-file --frames 3 --size 64x48 -o - | head -c 9",
+      {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "100 200 2000 200 1\nYUV4MPEG2");
+  EXPECT_EQ(read_text(folder / "a.bin").size(), 16u);
+  EXPECT_THAT(read_text(folder / "b.txt"), HasSubstr("draw 2000 200"));
+  EXPECT_GT(lit_pixels(folder / "a.png"), 400);
+}
+
+TEST(ProgramVector, BadDisplayFilesAreToldByLineOrAddress) {
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"move 1 2\nfly 3 4\n", "line 2"},
+      {"move 1 2\nstart:  jump start\n", "address 1"},
+      {"jump 70000\n", "70000"},
+      {"a: call a\n", "calls more than 8 deep"},
+      {std::string("\x01\0\0", 3), "3 bytes"},
+      {"", "empty"},
+  };
+  TemporaryFolder folder;
+  for (const auto& [text, hint] : files) {
+    write_text(folder / "bad", text);
+    const RunResult run = run_kinescope({"vector", "bad", "--kind", "display-file", "-o", "a.png"},
+                                        {.folder = folder.path()});
+    EXPECT_EQ(run.exit_code, 3) << text << run.err;
+    EXPECT_EQ(run.lines_of_err(), 1) << run.err;
+    EXPECT_THAT(run.err, AllOf(HasSubstr("bad"), HasSubstr(hint)));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+  }
+}
+
+TEST(ProgramVector, ListsMachines) {
+  const RunResult run = run_kinescope({"vector", "--list-machines"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("generic "), HasSubstr("\ndvg "), HasSubstr("\ntype-30 ")));
 }
 
 TEST(ProgramVector, TenMillionVectors) {

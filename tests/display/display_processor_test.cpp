@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "display/vector/assembler.h"
 #include "raster/base/error.h"
 
@@ -136,10 +138,10 @@ TEST(DisplayProcessor, PenFindsTheInstructionThatDrew) {
   Bench bench(
       "start: pen 1\nmove 1000 1000\ncall box\nmove 2000 2000\nhere: call box\nsync\nagain\n"
       "box: rdraw 100 0\nside: rdraw 0 100\nrdraw -100 0\nrdraw 0 -100\nreturn\n");
-  bench.processor.hold_pen(VectorPen{2100, 2050, 10, 0.05});
+  bench.processor.hold_pen(BeamPen{2100, 2050, 10, 0.05});
   const auto moves = bench.run(10);
   ASSERT_EQ(bench.processor.status(), ProcessorStatus::kPenHit);
-  const VectorPenHit hit = *bench.processor.hit();
+  const BeamPenHit hit = *bench.processor.hit();
   EXPECT_EQ(hit.address, bench.file.names.at("side"));
   ASSERT_EQ(hit.calls.size(), 1u);
   EXPECT_EQ(hit.calls[0], bench.file.names.at("here"));
@@ -149,9 +151,115 @@ TEST(DisplayProcessor, PenFindsTheInstructionThatDrew) {
   bench.run(11);
   EXPECT_EQ(bench.processor.status(), ProcessorStatus::kRunning);
   // Dark strokes, and light beside its field, leave it quiet.
-  bench.processor.hold_pen(VectorPen{1500, 1500, 10, 0.05});
+  bench.processor.hold_pen(BeamPen{1500, 1500, 10, 0.05});
   bench.run(100);
   EXPECT_EQ(bench.processor.status(), ProcessorStatus::kRunning);
+}
+
+/// Random lists of every instruction that draws: the rate is what the machine's table adds up to.
+TEST(DisplayProcessor, TheRefreshIsTheSumOfTheInstructionsTimes) {
+  const VectorMachine& m = find_vector_machine("generic");
+  const auto cost = [&](const std::string& name, double units) {
+    for (const InstructionCost& c : m.costs) {
+      if (c.name == name) return c.fixed_us + c.per_unit_us * units;
+    }
+    return 0.0;
+  };
+  std::uint32_t seed = 1;
+  const auto random = [&](int most) {
+    seed = seed * 1664525 + 1013904223;
+    return static_cast<int>(seed >> 8) % most;
+  };
+  for (const int count : {10, 300, 4000}) {
+    std::string list = "start: call sub\n";
+    double us = cost("call", 0) + cost("rdraw", std::hypot(30, 40)) + cost("return", 0), x = 0,
+           y = 0;
+    us += cost("move", 0);
+    for (int i = 0; i < count; ++i) {
+      const int to_x = random(4096), to_y = random(4096);
+      const std::string name = random(2) != 0 ? "draw" : "move";
+      list += fmt::format(" {} {} {}\n intensity {}\n", name, to_x, to_y, random(256));
+      // From the subroutine's end at first.
+      const double from_x = i == 0 ? 30 : x, from_y = i == 0 ? 40 : y;
+      us += cost(name, std::hypot(to_x - from_x, to_y - from_y)) + cost("intensity", 0);
+      x = to_x, y = to_y;
+    }
+    Bench bench(list + " move 0 0\n again\nsub: rdraw 30 40\n return\n");
+    us += cost("move", std::hypot(x, y)) - cost("move", 0) + cost("again", 0);
+    bench.run(3.5e-3 * us);
+    ASSERT_TRUE(bench.processor.refresh_period());
+    EXPECT_NEAR(bench.processor.refresh_period()->count() / (1e-6 * us), 1, 1e-3) << count;
+  }
+}
+
+TEST(DisplayProcessor, TheType30DrawsNoLines) {
+  for (const char* list :
+       {"point 1 1\ndraw 5 5\n", "point 1 1\nrdraw 5 5\n", "nop\nshort 1 1 1\n"}) {
+    Bench bench(list, "type-30");
+    bench.run(1);
+    ASSERT_EQ(bench.processor.status(), ProcessorStatus::kFaulted) << list;
+    EXPECT_EQ(bench.processor.fault()->address, 1u);
+    EXPECT_NE(bench.processor.fault()->what.find("type-30 has no "), std::string::npos);
+  }
+}
+
+TEST(DisplayProcessor, BlinksHalfTheTimeWhateverTheRefresh) {
+  Bench bench("start: blink 1\ndraw 100 0\nblink 0\ndraw 0 0\nsync\nagain\n");
+  int lit = 0, dark = 0;
+  for (const BeamMove& move : bench.run(3000)) {
+    if (move.address == 3) {
+      EXPECT_EQ(move.intensity, 1);
+    }
+    if (move.address == 1) ++(move.intensity > 0 ? lit : dark);
+  }
+  EXPECT_NEAR(lit, 90, 4);
+  EXPECT_NEAR(dark, 90, 4);
+}
+
+TEST(DisplayProcessor, DvgScalesBeyondNineDrawNothing) {
+  Bench bench("labs 100 100 3\nvctr 512 0 9 15\nvctr 512 0 2 15\nhalt\n", "dvg");
+  const auto moves = bench.run(1);
+  ASSERT_GE(moves.size(), 2u);
+  EXPECT_EQ(moves[1].x0, 100);
+  EXPECT_EQ(moves[1].x1, 100 + 512.0 / 16);
+}
+
+TEST(DisplayProcessor, EveryMachinesFaultsNameTheAddress) {
+  const auto fault = [](const std::string& list, const std::string& machine) {
+    Bench bench(list, machine);
+    bench.run(500);
+    EXPECT_EQ(bench.processor.status(), ProcessorStatus::kFaulted) << list;
+    return bench.processor.fault().value_or(ProcessorFault{});
+  };
+  EXPECT_EQ(fault("halt\nstart: jmpl 1\n", "dvg").address, 1u);
+  EXPECT_EQ(fault("start: jsrl 0\n", "dvg").what, "calls more than 4 deep");
+  EXPECT_EQ(fault("rtsl\n", "dvg").what, "return without a call");
+  EXPECT_NE(fault("jump 9000\n", "type-30").what.find("address 9000 lies outside"),
+            std::string::npos);
+  // Over the end of memory; a character's table that is not there.
+  EXPECT_EQ(fault("jump 65535\n.org 65535\nnop\n", "generic").address, 65536u);
+  EXPECT_EQ(fault("table 0xffff00\nchars \"a\"\n", "generic").address, 1u);
+}
+
+TEST(VectorMachine, BadFilesAreRefusedByTheirLine) {
+  const auto fault = [](const std::string& text) {
+    try {
+      parse_vector_machine(text, "mine", "mine.txt");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(fault("words dvg\ncost fetch 1\n").find("the cost of labs is missing"),
+            std::string::npos);
+  EXPECT_NE(fault("# a\nstack 0\n").find("line 2: stack must lie from 1 to 1024"),
+            std::string::npos);
+  EXPECT_NE(fault("words latin\n").find("words latin are not known"), std::string::npos);
+  EXPECT_NE(fault("phosphor P999\n").find("P999"), std::string::npos);
+  EXPECT_NE(fault("colour red\n").find("\"colour\" is not known"), std::string::npos);
+  EXPECT_NE(fault("size 12\n").find("lacks a number"), std::string::npos);
+  EXPECT_NE(fault("memory 1e9\n").find("memory must lie"), std::string::npos);
+  EXPECT_NE(fault("damping\n").find("damping lacks its value"), std::string::npos);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ VectorMachine small_machine() {
   m.screen_mm = 100;
   m.spot_sigma_mm = 1;
   m.speed_units_us = 1;
+  m.deflection_khz = m.slew_mm_us = m.intensity_mhz = m.spot_growth = 0;
   return m;
 }
 
@@ -87,6 +88,80 @@ TEST(VectorTube, AListTooLongFlickers) {
   }
   const auto [least, most] = std::minmax_element(frames.end() - 3, frames.end());
   EXPECT_LT(*least, 0.1 * *most);
+}
+
+/// Exposures of a list that is refreshed in step with them, and of the same one drawn anew: a tube
+/// that is given one more, dark move each time in another place never sees a repetition.
+TEST(VectorTube, ARepeatedListShowsTheSameLight) {
+  Workers workers(2);
+  VectorMachine machine = small_machine();
+  machine.deflection_khz = 300;  // the dynamics' state goes on as well
+  machine.phosphor = "P7";
+  const Seconds frame(1.0 / 60);
+  VectorTube tube(machine, 100, 100), anew(machine, 100, 100);
+  int cheap = 0;
+  for (int i = 0; i < 80; ++i) {
+    std::vector<BeamMove> moves{line_at(frame * i + microseconds(3)),
+                                line_at(frame * i + milliseconds(16) + microseconds(640))};
+    const Image<LinearRgb>& got = tube.expose(moves, frame * (i + 1), workers);
+    cheap += !tube.changed();
+    const Seconds rest = frame * i + microseconds(1000 + i);
+    moves.insert(moves.begin() + 1, {90, 50.5, 90, 50.5, rest, rest, 0, {}, 0});
+    const Image<LinearRgb>& want = anew.expose(moves, frame * (i + 1), workers);
+    ASSERT_TRUE(anew.changed());
+    const float peak = std::abs(want.at(50, 49).b);
+    for (int x = 0; x < 100; ++x) {
+      ASSERT_NEAR(got.at(x, 49).g, want.at(x, 49).g, 1e-3f * peak) << i << " " << x;
+      ASSERT_NEAR(got.at(x, 49).b, want.at(x, 49).b, 1e-3f * peak) << i << " " << x;
+    }
+  }
+  EXPECT_GT(cheap, 5);
+  // A change is seen at once.
+  std::vector<BeamMove> other{line_at(frame * 80 + microseconds(3))};
+  const float none = tube.expose({}, frame * 80 + Seconds(1e-6), workers).at(50, 49).b;
+  const Image<LinearRgb>& one = tube.expose(other, frame * 81, workers);
+  EXPECT_TRUE(tube.changed());
+  EXPECT_GT(one.at(50, 49).b, none);
+}
+
+TEST(VectorTube, ThreeGunsMixColours) {
+  Workers workers(1);
+  VectorMachine machine = small_machine();
+  machine.phosphor = "P22";
+  const auto colour_of = [&](std::array<float, 3> guns) {
+    VectorTube tube(machine, 100, 100);
+    std::vector<BeamMove> moves{line_at(Seconds(0))};
+    moves[0].colour = guns;
+    return tube.expose(moves, Seconds(10), workers).at(50, 49);
+  };
+  const LinearRgb white = colour_of({1, 1, 1}), red = colour_of({1, 0, 0});
+  const LinearRgb green = colour_of({0, 1, 0}), blue = colour_of({0, 0, 1});
+  EXPECT_NEAR(white.r, white.g, 0.01f);
+  EXPECT_NEAR(white.b, white.g, 0.01f);
+  EXPECT_NEAR(red.r + green.r + blue.r, white.r, 0.01f);
+  EXPECT_GT(red.r, 10 * std::abs(red.b));
+  EXPECT_GT(blue.b, 10 * std::abs(blue.g));
+}
+
+TEST(VectorTube, APenetrationTubesVoltagePicksTheLayer) {
+  Workers workers(1);
+  VectorMachine machine = small_machine();
+  machine.phosphor = "P14";
+  const auto colour_of = [&](bool penetration, std::array<float, 3> layers) {
+    machine.penetration = penetration;
+    VectorTube tube(machine, 100, 100);
+    std::vector<BeamMove> moves{line_at(Seconds(0))};
+    moves[0].colour = layers;
+    return tube.expose(moves, Seconds(10), workers).at(50, 49);
+  };
+  const LinearRgb outer = colour_of(true, {1, 0, 0}), inner = colour_of(true, {0, 1, 0});
+  const LinearRgb both = colour_of(true, {1, 1, 0}), one_gun = colour_of(false, {1, 0, 0});
+  EXPECT_GT(outer.b, outer.r);  // purplish blue
+  EXPECT_GT(inner.r, inner.b);  // orange
+  EXPECT_NEAR(outer.r + inner.r, both.r, 1e-3f);
+  // Any other tube's layers are lit together, whatever the colour asked for.
+  EXPECT_NEAR(one_gun.r, both.r, 1e-3f);
+  EXPECT_NEAR(one_gun.b, both.b, 1e-3f);
 }
 
 }  // namespace

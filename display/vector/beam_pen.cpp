@@ -1,11 +1,11 @@
-#include "display/vector/vector_pen.h"
+#include "display/vector/beam_pen.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace kinescope {
 
-std::optional<VectorPenSight> see(const VectorPen& pen, const BeamMove& move) {
+std::optional<BeamPenSight> see(const BeamPen& pen, const BeamMove& move) {
   if (!(move.intensity > 0)) return std::nullopt;
   const double dx = move.x1 - move.x0, dy = move.y1 - move.y0;
   const double px = move.x0 - pen.x, py = move.y0 - pen.y;
@@ -27,7 +27,7 @@ std::optional<VectorPenSight> see(const VectorPen& pen, const BeamMove& move) {
   const Seconds needed = microseconds(pen.threshold_us) / static_cast<double>(move.intensity);
   if (length * (leave - enter) < needed) return std::nullopt;
   const double t = length.count() > 0 ? enter + needed / length : enter;
-  return VectorPenSight{move.begin + length * t, move.x0 + t * dx, move.y0 + t * dy};
+  return BeamPenSight{move.begin + length * t, move.x0 + t * dx, move.y0 + t * dy};
 }
 
 }  // namespace kinescope

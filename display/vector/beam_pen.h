@@ -9,14 +9,14 @@
 
 namespace kinescope {
 
-struct VectorPen {
+struct BeamPen {
   double x = 0, y = 0;         ///< middle of its field, device units
   double radius = 8;           ///< of its field, device units
   double threshold_us = 0.05;  ///< full current for so long within the field sets it off
 };
 
 /// What a pen saw, and who drew it.
-struct VectorPenHit {
+struct BeamPenHit {
   Address address = 0;         ///< of the instruction that drew it
   std::vector<Address> calls;  ///< of the calls that led there, the outermost first
   double x = 0, y = 0;         ///< where the beam was
@@ -24,10 +24,10 @@ struct VectorPenHit {
 };
 
 /// When a move sets the pen off, and where the beam is then; none if it does not.
-struct VectorPenSight {
+struct BeamPenSight {
   Seconds time;
   double x, y;
 };
-std::optional<VectorPenSight> see(const VectorPen& pen, const BeamMove& move);
+std::optional<BeamPenSight> see(const BeamPen& pen, const BeamMove& move);
 
 }  // namespace kinescope

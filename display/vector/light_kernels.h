@@ -1,0 +1,13 @@
+// What a tube does with whole tiles of light, in SIMD.
+#pragma once
+
+namespace kinescope {
+
+/// sum += held * lost; held *= left, where what is not above `unseen` becomes 0. @param floats a
+/// multiple of 16 @return whether any is left of either
+bool fade_light(float* sum, float* held, float lost, float left, float unseen, int floats);
+
+/// light += more.
+void add_light(float* light, const float* more, int floats);
+
+}  // namespace kinescope
