@@ -33,7 +33,7 @@ struct Scratch {
   std::array<AlignedVector<float>, kMostLayers> row;
 };
 
-using Finish = std::function<void(const FinishRow&, int x, int y, int n)>;
+using Finish = std::function<void(FinishRow&, int x, int y, int n)>;
 
 /// Whether the camera sees the same glass.
 bool one_shape(const GlassSettings& a, const GlassSettings& b) {
@@ -142,6 +142,7 @@ void Screen::State::set_row(FinishRow& row, const Scratch& s, int x, int y) cons
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     row.light[layer] = s.row[layer].data();
     row.mask[layer] = mask->row(layers[layer].gun, y, x);
+    row.mask_below[layer] = mask->row(layers[layer].gun, std::min(y + 1, height - 1), x);
     row.glow_share = halation.rows(layer, y, x, row.glow_above[layer], row.glow_below[layer]);
   }
 }
@@ -251,7 +252,8 @@ double Screen::show(std::span<const LayerLight> light, Workers& workers, Image<L
 
 double Screen::photograph(std::span<const LayerLight> light, Workers& workers, float gain,
                           Image<Srgb8>& out, int left, int top) {
-  return state_->draw(light, workers, gain, [&](const FinishRow& row, int x, int y, int n) {
+  return state_->draw(light, workers, gain, [&](FinishRow& row, int x, int y, int n) {
+    row.out_below = out.row(top + std::min(y + 1, state_->height - 1)) + left + x;
     finish_encoded(row, n, out.row(top + y) + left + x);
   });
 }
