@@ -21,6 +21,7 @@ using Raster = std::variant<StraightRaster, CurvedRaster>;
 
 struct GunRasters {
   std::vector<Raster> of_gun;
+  std::vector<std::size_t> alike;  // of each gun, the first one whose raster is the same
 };
 
 namespace {
@@ -61,6 +62,10 @@ std::shared_ptr<const GunRasters> make_rasters(const TubeSettings& s, int guns, 
     } else {
       rasters.of_gun.emplace_back(std::in_place_type<CurvedRaster>, s, spot, gun, extent);
     }
+    const auto& errors = s.deflection.convergence;
+    const auto first =
+        std::find(errors.begin(), errors.begin() + gun, errors[static_cast<std::size_t>(gun)]);
+    rasters.alike.push_back(static_cast<std::size_t>(first - errors.begin()));
   }
   return std::make_shared<const GunRasters>(std::move(rasters));
 }
@@ -88,7 +93,7 @@ struct Screen::State {
   FinishRow finish_row(float gain) const;
   void set_row(FinishRow& row, const Scratch& s, int x, int y) const;
   const Raster& raster_of(std::size_t layer) const {
-    return rasters->of_gun[static_cast<std::size_t>(layers[layer].gun)];
+    return rasters->of_gun[rasters->alike[static_cast<std::size_t>(layers[layer].gun)]];
   }
 
   TubeSettings settings;

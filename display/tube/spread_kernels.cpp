@@ -285,21 +285,15 @@ HWY_INLINE void WeighColumns(const LineProfile& profile, float away, float step,
   }
 }
 
-/// Both Gaussians' weights of all lines at one place: a lane each.
+/// Both Gaussians' weights of all lines at one place: a lane each, the narrow one's first.
 HWY_INLINE void WeighNode(const LineProfile& p, float away, float* weights) {
-  HWY_ALIGN static constexpr float kLine[2 * kLineTaps] = {0, 1, 2, 3, 0, 1, 2, 3};
-  const hn::CappedTag<float, kLineTaps> half;
-  HWY_ALIGN float fall[2 * kLineTaps], height[2 * kLineTaps];
-  for (int t = 0; t < kLineTaps; t += static_cast<int>(hn::Lanes(half))) {
-    hn::StoreU(hn::Set(half, p.narrow_fall), half, fall + t);
-    hn::StoreU(hn::Set(half, p.wide_fall), half, fall + kLineTaps + t);
-    hn::StoreU(hn::Set(half, p.narrow_height), half, height + t);
-    hn::StoreU(hn::Set(half, p.wide_height), half, height + kLineTaps + t);
-  }
   for (int x = 0; x < 2 * kLineTaps; x += lanes()) {
-    const Floats at = hn::Sub(set(away), hn::LoadU(d, kLine + x));
-    hn::StoreU(LineProfile::weight(at, hn::LoadU(d, fall + x), hn::LoadU(d, height + x)), d,
-               weights + x);
+    const Floats lane = hn::Add(lane_numbers(d), set(static_cast<float>(x)));
+    const auto wide = hn::Ge(lane, set(static_cast<float>(kLineTaps)));
+    const Floats line = hn::Sub(lane, hn::IfThenElseZero(wide, set(kLineTaps)));
+    const Floats fall = hn::IfThenElse(wide, set(p.wide_fall), set(p.narrow_fall));
+    const Floats height = hn::IfThenElse(wide, set(p.wide_height), set(p.narrow_height));
+    hn::StoreU(LineProfile::weight(hn::Sub(set(away), line), fall, height), d, weights + x);
   }
 }
 
