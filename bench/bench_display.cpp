@@ -31,7 +31,7 @@ struct Options {
   std::vector<std::string> outputs{"1920x1080", "3840x2160"};
   std::vector<std::string> presets{"bench-flat", "bench-curved"};
   int threads = 2, pairs = 9, frames = 20;
-  bool json = false, planar = false;
+  bool json = false, planar = false, alone = false;
 };
 
 struct Row {
@@ -176,8 +176,8 @@ Row measure(const std::string& source_text, const std::string& output_text,
   row.bytes_a_pixel = held / output.width / output.height;
   for (int pair = 0; pair < options.pairs; ++pair) {
     mine.push_back(ours.time_ms(frames, options.frames, true));
-    theirs.push_back(ffmpeg.time_ms(options.frames));
-    ratios.push_back(mine.back() / theirs.back());
+    theirs.push_back(options.alone ? 0 : ffmpeg.time_ms(options.frames));
+    ratios.push_back(options.alone ? 0 : mine.back() / theirs.back());
   }
   row.ms = median(mine);
   row.ffmpeg_ms = median(theirs);
@@ -236,6 +236,7 @@ int run(int argc, char** argv) {
   app.add_option("--pairs", options.pairs, "of timings")->check(CLI::Range(1, 1000));
   app.add_option("--frames", options.frames, "a timing")->check(CLI::Range(1, 1000));
   app.add_flag("--planar", options.planar, "ffmpeg resizes yuv444p, which is faster");
+  app.add_flag("--alone", options.alone, "without ffmpeg: to compare builds, or to profile");
   app.add_flag("--json", options.json, "a list instead of a table");
   CLI11_PARSE(app, argc, argv);
   std::vector<Row> rows;

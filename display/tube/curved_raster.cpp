@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPixelVariance = 1.0 / 12;  // of an output pixel's own width
 constexpr float kLeastDeviation = 0.02f;     // down, lines
-constexpr double kReach = 3;                 // of a Gaussian, deviations
+constexpr double kReach = 2.8;               // of a Gaussian, deviations
 
 float with_variance(double sigma, double variance) {
   return static_cast<float>(std::sqrt(sigma * sigma + variance));
@@ -28,7 +28,7 @@ CurvedRaster::CurvedRaster(const TubeSettings& settings, const SpotModel& spot, 
   narrow_across_ = with_variance(spot.narrow_mm() * x, kPixelVariance);
   wide_across_ = with_variance(spot.wide_mm() * x, kPixelVariance);
   const double reach = 0.5 + kReach * static_cast<double>(wide_across_ * cells_a_pixel_);
-  taps_ = reach <= 2 ? 4 : 6;
+  taps_ = std::clamp(static_cast<int>(std::ceil(2 * reach)), 4, kCellTaps);
   const double pitch = e.lines / (e.height * settings.deflection.height);
   const double down = kPixelVariance + line_blur_variance(pitch) / (pitch * pitch);
   const float narrow = with_variance(spot.narrow_mm() * y, down);

@@ -1,5 +1,7 @@
 #include "display/tube/finish_kernels.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
@@ -34,10 +36,13 @@ template <int kLayers, bool kMask, bool kGlow>
 class Finisher {
  public:
   explicit Finisher(const FinishRow& row)
-      : row_(row),
-        glow_share_(set(row.glow_share)),
+      : glow_share_(set(row.glow_share)),
         ambient_{{set(row.ambient[0]), set(row.ambient[1]), set(row.ambient[2])}} {
     for (int layer = 0; layer < kLayers; ++layer) {
+      light_[layer] = row.light[layer];
+      mask_[layer] = row.mask[layer];
+      above_[layer] = row.glow_above[layer];
+      below_[layer] = row.glow_below[layer];
       for (int c = 0; c < 3; ++c) colour_[layer].c[c] = set(row.colour[layer][c]);
     }
   }
@@ -45,6 +50,7 @@ class Finisher {
   /// From pixel x on.
   HWY_INLINE Colour operator()(int x) const {
     Colour sum = ambient_;
+#pragma GCC unroll 3
     for (int layer = 0; layer < kLayers; ++layer) {
       const Floats light = past_glass(layer, x);
       for (int c = 0; c < 3; ++c) sum.c[c] = hn::MulAdd(light, colour_[layer].c[c], sum.c[c]);
@@ -54,24 +60,35 @@ class Finisher {
 
  private:
   HWY_INLINE Floats past_glass(int layer, int x) const {
-    Floats light = hn::LoadU(d, row_.light[layer] + x);
+    Floats light = hn::LoadU(d, light_[layer] + x);
     if (kMask) {
       const hn::Rebind<std::uint8_t, F> d8;
-      const auto open = hn::PromoteTo(di, hn::LoadU(d8, row_.mask[layer] + x));
+      const auto open = hn::PromoteTo(di, hn::LoadU(d8, mask_[layer] + x));
       light = hn::Mul(light, hn::ConvertTo(d, open));
     }
     if (kGlow) {
-      const Floats above = hn::LoadU(d, row_.glow_above[layer] + x);
-      const Floats below = hn::LoadU(d, row_.glow_below[layer] + x);
+      const Floats above = hn::LoadU(d, above_[layer] + x);
+      const Floats below = hn::LoadU(d, below_[layer] + x);
       light = hn::Add(light, hn::MulAdd(hn::Sub(below, above), glow_share_, above));
     }
     return light;
   }
 
-  FinishRow row_;
+  const float *light_[kLayers], *above_[kLayers], *below_[kLayers];
+  const std::uint8_t* mask_[kLayers];
   Floats glow_share_;
   Colour ambient_, colour_[kLayers];
 };
+
+/// Tiles are narrow: too little of each row for the processor to see that they go on below.
+HWY_INLINE void prefetch_row_below(const FinishRow& row, int n) {
+  constexpr int kLine = 64;
+  for (int x = 0; x < n; x += kLine / 4) __builtin_prefetch(row.out_below + x, 1);
+  for (int layer = 0; layer < row.layers; ++layer) {
+    if (row.mask_below[layer] == nullptr) continue;
+    for (int x = 0; x < n + kLine; x += kLine) hwy::Prefetch(row.mask_below[layer] + x);
+  }
+}
 
 template <typename Finish>
 HWY_INLINE void StoreLight(const Finish& finish, int n, LinearRgb* out) {
@@ -150,6 +167,7 @@ void FinishLight(const FinishRow& row, int n, LinearRgb* out) {
 }
 
 void FinishEncoded(const FinishRow& row, int n, Srgb8* out) {
+  prefetch_row_below(row, n);
   with_finisher(row, [=](const auto& finish) { StoreEncoded(finish, n, out); });
 }
 

@@ -14,7 +14,9 @@ constexpr int kMostLayers = 3;  ///< of phosphor
 struct FinishRow {
   int layers = 1;
   const float* light[kMostLayers] = {};
-  const std::uint8_t* mask[kMostLayers] = {};  ///< null, of all layers: 1
+  const std::uint8_t* mask[kMostLayers] = {};        ///< null, of all layers: 1
+  const std::uint8_t* mask_below[kMostLayers] = {};  ///< of the row that comes next, or null
+  const Srgb8* out_below = nullptr;                  ///< where that goes
   /// Halation's coarse rows above and below, and how much of the lower one; null: none.
   const float* glow_above[kMostLayers] = {};
   const float* glow_below[kMostLayers] = {};

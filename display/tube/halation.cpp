@@ -104,29 +104,25 @@ void Halation::add_means(const Plane& pixels, Plane& coarse) const {
   }
 }
 
-void Halation::blur(Plane& coarse) const {
+/// One coarse row of the light spread, down and then across; outside the picture it is dark.
+/// @param down work space
+void Halation::blur(const Plane& coarse, int row, Plane& down, Plane& out) const {
   const int reach = static_cast<int>(kernel_.size()) - 1;
-  Plane line;
-  const auto along = [&](float* at, std::ptrdiff_t stride, int count) {
-    line.assign(static_cast<std::size_t>(count + 2 * reach), 0.0f);
-    for (int i = 0; i < count; ++i) line[static_cast<std::size_t>(i + reach)] = at[i * stride];
-    for (int i = 0; i < count; ++i) {
-      const float* middle = line.data() + i + reach;
-      float sum = kernel_[0] * middle[0];
-      for (int k = 1; k <= reach; ++k) {
-        sum += kernel_[static_cast<std::size_t>(k)] * (middle[k] + middle[-k]);
-      }
-      at[i * stride] = sum;
-    }
-  };
-  for (int j = 0; j < coarse_height_; ++j) {
-    along(coarse.data() + static_cast<std::ptrdiff_t>(j) * coarse_width_, 1, coarse_width_);
+  down.assign(static_cast<std::size_t>(coarse_width_ + 2 * reach), 0.0f);
+  const auto weight = [&](int k) { return kernel_[static_cast<std::size_t>(std::abs(k))]; };
+  for (int k = std::max(-reach, -row); k <= std::min(reach, coarse_height_ - 1 - row); ++k) {
+    add_scaled(coarse_width_, weight(k),
+               coarse.data() + static_cast<std::ptrdiff_t>(row + k) * coarse_width_,
+               down.data() + reach);
   }
-  for (int i = 0; i < coarse_width_; ++i) along(coarse.data() + i, coarse_width_, coarse_height_);
+  out.assign(static_cast<std::size_t>(coarse_width_), 0.0f);
+  for (int k = -reach; k <= reach; ++k) {
+    add_scaled(coarse_width_, weight(k), down.data() + reach + k, out.data());
+  }
 }
 
-void Halation::widen(const Plane& coarse, int row, float glow, float* out) const {
-  const float* from = coarse.data() + static_cast<std::ptrdiff_t>(row) * coarse_width_;
+void Halation::widen(const Plane& coarse_row, float glow, float* out) const {
+  const float* from = coarse_row.data();
   for (int i = 0; i + 1 < coarse_width_; ++i) {
     // Pixels' middles are half a pixel beyond their number.
     fill_ramp(std::min(step_, width_ - i * step_), glow * from[i],
@@ -146,6 +142,7 @@ void Halation::gather(std::span<const LayerLight> light,
     fine_[layer].resize(static_cast<std::size_t>(fine_pitch() * coarse_height_));
   }
   sums_.resize(static_cast<std::size_t>(workers.count()));
+  downs_.resize(sums_.size());
   if (!light.empty()) {
     workers.run(layers * rows, [&](int task, int worker) {
       const std::size_t layer = static_cast<std::size_t>(task % layers);
@@ -156,12 +153,14 @@ void Halation::gather(std::span<const LayerLight> light,
     const std::size_t layer = static_cast<std::size_t>(task);
     if (!light.empty()) look_up(blocks_[layer], coarse_[layer]);
     if (overlay) add_means((*overlay)[layer], coarse_[layer]);
-    blur(coarse_[layer]);
   });
   const float glow = unit * share_ / (1 - share_);
-  workers.run(coarse_height_, [&](int row, int) {
+  workers.run(coarse_height_, [&](int row, int worker) {
+    Plane& blurred = sums_[static_cast<std::size_t>(worker)];
+    Plane& down = downs_[static_cast<std::size_t>(worker)];
     for (std::size_t layer = 0; layer < count; ++layer) {
-      widen(coarse_[layer], row, glow, fine_[layer].data() + row * fine_pitch());
+      blur(coarse_[layer], row, down, blurred);
+      widen(blurred, glow, fine_[layer].data() + row * fine_pitch());
     }
   });
 }

@@ -41,8 +41,8 @@ class Halation {
   void pool(const LayerLight& light, int row, Plane& sums, Plane& blocks) const;
   void look_up(const Plane& blocks, Plane& coarse) const;
   void add_means(const Plane& pixels, Plane& coarse) const;
-  void blur(Plane& coarse) const;
-  void widen(const Plane& coarse, int row, float glow, float* out) const;
+  void blur(const Plane& coarse, int row, Plane& down, Plane& out) const;
+  void widen(const Plane& coarse_row, float glow, float* out) const;
   std::ptrdiff_t fine_pitch() const { return width_ + 16; }
 
   float share_ = 0;
@@ -53,7 +53,7 @@ class Halation {
   std::vector<Sample> samples_;
   std::vector<float> kernel_;  // from its middle on
   std::array<Plane, kMostLayers> blocks_, coarse_, fine_;
-  std::vector<Plane> sums_;  // of each worker
+  std::vector<Plane> sums_, downs_;  // of each worker
 };
 
 }  // namespace kinescope

@@ -59,6 +59,7 @@ class StraightRaster {
   std::vector<float> down_narrow_, down_wide_;  // row after row
   int span_ = 0;
   int lines_;
+  int ring_lines_ = 1;  // a power of two, at least down_.taps
 };
 
 class CurvedRaster {

@@ -21,6 +21,7 @@ using Raster = std::variant<StraightRaster, CurvedRaster>;
 
 struct GunRasters {
   std::vector<Raster> of_gun;
+  std::vector<std::size_t> alike;  // of each gun, the first one whose raster is the same
 };
 
 namespace {
@@ -33,7 +34,7 @@ struct Scratch {
   std::array<AlignedVector<float>, kMostLayers> row;
 };
 
-using Finish = std::function<void(const FinishRow&, int x, int y, int n)>;
+using Finish = std::function<void(FinishRow&, int x, int y, int n)>;
 
 /// Whether the camera sees the same glass.
 bool one_shape(const GlassSettings& a, const GlassSettings& b) {
@@ -61,6 +62,10 @@ std::shared_ptr<const GunRasters> make_rasters(const TubeSettings& s, int guns, 
     } else {
       rasters.of_gun.emplace_back(std::in_place_type<CurvedRaster>, s, spot, gun, extent);
     }
+    const auto& errors = s.deflection.convergence;
+    const auto first =
+        std::find(errors.begin(), errors.begin() + gun, errors[static_cast<std::size_t>(gun)]);
+    rasters.alike.push_back(static_cast<std::size_t>(first - errors.begin()));
   }
   return std::make_shared<const GunRasters>(std::move(rasters));
 }
@@ -88,7 +93,7 @@ struct Screen::State {
   FinishRow finish_row(float gain) const;
   void set_row(FinishRow& row, const Scratch& s, int x, int y) const;
   const Raster& raster_of(std::size_t layer) const {
-    return rasters->of_gun[static_cast<std::size_t>(layers[layer].gun)];
+    return rasters->of_gun[rasters->alike[static_cast<std::size_t>(layers[layer].gun)]];
   }
 
   TubeSettings settings;
@@ -142,6 +147,7 @@ void Screen::State::set_row(FinishRow& row, const Scratch& s, int x, int y) cons
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     row.light[layer] = s.row[layer].data();
     row.mask[layer] = mask->row(layers[layer].gun, y, x);
+    row.mask_below[layer] = mask->row(layers[layer].gun, std::min(y + 1, height - 1), x);
     row.glow_share = halation.rows(layer, y, x, row.glow_above[layer], row.glow_below[layer]);
   }
 }
@@ -251,7 +257,8 @@ double Screen::show(std::span<const LayerLight> light, Workers& workers, Image<L
 
 double Screen::photograph(std::span<const LayerLight> light, Workers& workers, float gain,
                           Image<Srgb8>& out, int left, int top) {
-  return state_->draw(light, workers, gain, [&](const FinishRow& row, int x, int y, int n) {
+  return state_->draw(light, workers, gain, [&](FinishRow& row, int x, int y, int n) {
+    row.out_below = out.row(top + std::min(y + 1, state_->height - 1)) + left + x;
     finish_encoded(row, n, out.row(top + y) + left + x);
   });
 }

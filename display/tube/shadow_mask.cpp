@@ -144,29 +144,53 @@ MaskSeries resolved_series(const MaskLattice& lattice, const GlassView& view, in
 
 }  // namespace
 
+/// Stripes on a flat glass are alike in all rows that no wire darkens, but for the rounding: kAlike
+/// rows of those do for all.
+void ShadowMask::find_stored_rows(std::span<const double> light_of_row, bool alike) {
+  constexpr int kAlike = 16;
+  int rows = alike ? kAlike : 0;
+  for (std::size_t y = 0; y < light_of_row.size(); ++y) {
+    const bool shared = alike && light_of_row[y] == 1;
+    stored_.push_back(shared ? static_cast<int>(y) % kAlike : rows++);
+  }
+  for (auto& plane : planes_) {
+    plane.assign(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(rows), kOne);
+  }
+}
+
 ShadowMask::ShadowMask(const MaskSettings& mask, const GlassSettings& glass, int width,
                        int height) {
   if (mask.kind == MaskKind::kNone) return;
   const GlassView view(glass, width, height);
   pitch_ = width + kPad;
-  for (auto& plane : planes_) {
-    plane.assign(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(height), kOne);
-  }
   const double half_height_mm = 0.5 * glass.diagonal_mm / std::hypot(glass.aspect, 1.0);
-  const double wires = mask.kind == MaskKind::kGrille ? mask.wires : 0;
-  const bool flat = glass.curvature_mm <= 0;
+  const bool flat = glass.curvature_mm <= 0, stripes = mask.kind == MaskKind::kGrille;
+  const bool wires = stripes && mask.wires > 0;
+  std::vector<double> light(static_cast<std::size_t>(height), 1.0);
+  for (int y = 0; wires && flat && y < height; ++y) {
+    const double y_mm = view.mm(0, y).y;
+    light[static_cast<std::size_t>(y)] =
+        wire_shadow(mask, half_height_mm, y_mm, view.mm(0, y + 1).y - y_mm);
+  }
+  find_stored_rows(light, flat && stripes);
   MaskSeries series = resolved_series(MaskLattice(mask), view, width, height);
+  std::vector<bool> done(planes_[0].size() / static_cast<std::size_t>(pitch_));
   for (int top = 0; top < height; top += kBlock) {
     for (int left = 0; left < width; left += kBlock) {
       if (!flat) series.set_step(view.step(left + 0.5 * kBlock, top + 0.5 * kBlock));
       const BlockPlaces places(view, left, top);
       for (int y = 0; y < std::min(height - top, kBlock); ++y) {
+        const int row = stored_[static_cast<std::size_t>(top + y)];
+        if (done[static_cast<std::size_t>(row)]) continue;
         const Place first = places.at(0, y), next = places.at(1, y);
         const double down_mm = places.at(0, y + 1).y - first.y;
-        const double light = wires > 0 ? wire_shadow(mask, half_height_mm, first.y, down_mm) : 1;
-        store(series.at(first, {next.x - first.x, next.y - first.y}), light, left, top + y,
+        const double lit = wires ? wire_shadow(mask, half_height_mm, first.y, down_mm) : 1;
+        store(series.at(first, {next.x - first.x, next.y - first.y}), lit, left, row,
               std::min(width - left, kBlock));
       }
+    }
+    for (int y = top; y < std::min(height, top + kBlock); ++y) {
+      done[static_cast<std::size_t>(stored_[static_cast<std::size_t>(y)])] = true;
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "display/tube/settings.h"
@@ -22,16 +23,19 @@ class ShadowMask {
   float one() const { return planes_[0].empty() ? 1.0f : kOne; }
   const std::uint8_t* row(int gun, int y, int x) const {
     const auto& plane = planes_[static_cast<std::size_t>(gun)];
-    return plane.empty() ? nullptr : plane.data() + y * pitch_ + x;
+    return plane.empty() ? nullptr
+                         : plane.data() + stored_[static_cast<std::size_t>(y)] * pitch_ + x;
   }
 
  private:
-  /// A row of up to 8 pixels, darkened by `light`.
+  void find_stored_rows(std::span<const double> light_of_row, bool alike);
+  /// A stored row of up to 8 pixels, darkened by `light`.
   void store(const std::array<std::array<float, 8>, 3>& transmission, double light, int left, int y,
              int count);
 
   static constexpr int kOne = 48;
   std::array<std::vector<std::uint8_t>, 3> planes_;
+  std::vector<int> stored_;  // of each row of pixels, which of the planes' is its own
   std::ptrdiff_t pitch_ = 0;
 };
 

@@ -1,12 +1,20 @@
 #include "display/tube/signal_doses.h"
 
 #include <algorithm>
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace kinescope {
 namespace {
 
 bool is_met(const CellRange& range) { return range.excited && range.begin != range.end; }
+
+/// Byte for byte: the compiler compares a struct's members one after another.
+bool is_same(const std::vector<GunDrive>& a, const std::vector<GunDrive>& b) {
+  static_assert(std::has_unique_object_representations_v<GunDrive>);
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(GunDrive)) == 0;
+}
 
 bool is_met_whole(const LineRanges& ranges, std::size_t cells) {
   return std::any_of(ranges.begin(), ranges.end(), [&](const CellRange& r) {
@@ -71,7 +79,7 @@ void SignalDoses::read_line(const Gun& gun, std::span<const Signal> signals,
   // A line that the beam meets whole and that is what it was has its doses already.
   std::vector<GunDrive>& last = drives_[static_cast<std::size_t>(line)];
   const bool whole = is_met_whole(ranges, s.drives.size());
-  if (whole && last == s.drives) return;
+  if (whole && is_same(last, s.drives)) return;
   s.changed = true;
   last.assign(s.drives.begin(), whole ? s.drives.end() : s.drives.begin());
   for (std::size_t signal = 0; signal < signals.size(); ++signal) {

@@ -127,15 +127,6 @@ void SpreadAcross(const AcrossTable& table, CellRows cells, SpreadRows out) {
   }
 }
 
-/// A cell's share of a pixel is the difference of the distribution at its two edges.
-HWY_INLINE Floats share_between(Floats& below, Floats& z, Floats step) {
-  z = hn::Add(z, step);
-  const Floats next = normal_below(z);
-  const Floats share = hn::Sub(next, below);
-  below = next;
-  return share;
-}
-
 /// One group's columns: where they lie, and how much of a pixel's width a deviation is.
 struct CurvePlace {
   Floats cell, start;
@@ -169,18 +160,25 @@ struct FarCells {
   hn::VFromD<decltype(di)> start;
 };
 
+/// A cell's share of a pixel is the difference of the distribution at its two edges. All of it lies
+/// between the first cell's beginning and the last one's end: white is even.
 template <int kTaps, typename Cells>
 HWY_INLINE Pair CurvedSum(const CurvePlace& place, const Cells& cells) {
   const Floats before = hn::Sub(place.start, place.cell);
   Floats narrow_z = hn::Mul(before, place.narrow_step), wide_z = hn::Mul(before, place.wide_step);
-  Floats narrow_below = normal_below(narrow_z), wide_below = normal_below(wide_z);
+  Floats narrow_below = set(-0.5f), wide_below = set(-0.5f);
   Pair sum{hn::Zero(d), hn::Zero(d)};
 #pragma GCC unroll 6
   for (int t = 0; t < kTaps; ++t) {
-    const Floats n = cells.narrow(t), w = cells.wide(t);
-    sum.narrow =
-        hn::MulAdd(n, share_between(narrow_below, narrow_z, place.narrow_step), sum.narrow);
-    sum.wide = hn::MulAdd(w, share_between(wide_below, wide_z, place.wide_step), sum.wide);
+    const bool last = t + 1 == kTaps;
+    narrow_z = hn::Add(narrow_z, place.narrow_step);
+    wide_z = hn::Add(wide_z, place.wide_step);
+    const Floats narrow_next = last ? set(0.5f) : normal_below(narrow_z);
+    const Floats wide_next = last ? set(0.5f) : normal_below(wide_z);
+    sum.narrow = hn::MulAdd(cells.narrow(t), hn::Sub(narrow_next, narrow_below), sum.narrow);
+    sum.wide = hn::MulAdd(cells.wide(t), hn::Sub(wide_next, wide_below), sum.wide);
+    narrow_below = narrow_next;
+    wide_below = wide_next;
   }
   return sum;
 }
@@ -213,7 +211,14 @@ HWY_INLINE void AlongCurve(const AcrossCurve& curve, CellRows cells, SpreadRows 
 }
 
 void SpreadAcrossCurve(const AcrossCurve& curve, CellRows cells, SpreadRows out) {
-  curve.taps <= 4 ? AlongCurve<4>(curve, cells, out) : AlongCurve<6>(curve, cells, out);
+  switch (curve.taps) {
+    case 4:
+      return AlongCurve<4>(curve, cells, out);
+    case 5:
+      return AlongCurve<5>(curve, cells, out);
+    default:
+      return AlongCurve<6>(curve, cells, out);
+  }
 }
 
 template <int kTaps, bool kAdd>
@@ -254,15 +259,75 @@ void SpreadDown(int groups, int taps, const float* const* narrow_rows,
   }
 }
 
-void FindLineWeights(const LineGrid& grid, int* base_out, float* narrow_out, float* wide_out) {
+/// The spot's profile down, of lines that lie `away` from a row.
+struct LineProfile {
+  float narrow_fall, wide_fall;      // of the exponent of 2, by distance squared
+  float narrow_height, wide_height;  // Gaussians are as bright as they are narrow, lines as they
+                                     // are wide apart
+  Floats narrow(Floats away) const { return weight(away, set(narrow_fall), set(narrow_height)); }
+  Floats wide(Floats away) const { return weight(away, set(wide_fall), set(wide_height)); }
+  static HWY_INLINE Floats weight(Floats away, Floats fall, Floats height) {
+    return hn::Mul(exp2_below(hn::Mul(hn::Mul(away, away), fall)), height);
+  }
+};
+
+/// A group's weights, each column's its own. @param away of the first column from the first line
+HWY_INLINE void WeighColumns(const LineProfile& profile, float away, float step, float* narrow,
+                             float* wide) {
+  for (int x = 0; x < kGroup; x += lanes()) {
+    const Floats ramp = hn::Add(lane_numbers(d), set(static_cast<float>(x)));
+    Floats at = hn::MulAdd(set(step), ramp, set(away));
+#pragma GCC unroll 4
+    for (int t = 0; t < kLineTaps; ++t, at = hn::Sub(at, set(1.0f))) {
+      hn::StoreU(profile.narrow(at), d, narrow + t * kGroup + x);
+      hn::StoreU(profile.wide(at), d, wide + t * kGroup + x);
+    }
+  }
+}
+
+/// Both Gaussians' weights of all lines at one place: a lane each, the narrow one's first.
+HWY_INLINE void WeighNode(const LineProfile& p, float away, float* weights) {
+  for (int x = 0; x < 2 * kLineTaps; x += lanes()) {
+    const Floats lane = hn::Add(lane_numbers(d), set(static_cast<float>(x)));
+    const auto wide = hn::Ge(lane, set(static_cast<float>(kLineTaps)));
+    const Floats line = hn::Sub(lane, hn::IfThenElseZero(wide, set(kLineTaps)));
+    const Floats fall = hn::IfThenElse(wide, set(p.wide_fall), set(p.narrow_fall));
+    const Floats height = hn::IfThenElse(wide, set(p.wide_height), set(p.narrow_height));
+    hn::StoreU(LineProfile::weight(hn::Sub(set(away), line), fall, height), d, weights + x);
+  }
+}
+
+/// The same where the lines are so nearly level that weights change evenly along a group.
+HWY_INLINE void WeighLevelColumns(const LineProfile& profile, float away, float step, float* narrow,
+                                  float* wide) {
+  HWY_ALIGN float from[2 * kLineTaps], to[2 * kLineTaps];
+  WeighNode(profile, away, from);
+  WeighNode(profile, away + kGroup * step, to);
+  for (int x = 0; x < kGroup; x += lanes()) {
+    const Floats ramp =
+        hn::Mul(hn::Add(lane_numbers(d), set(static_cast<float>(x))), set(1.0f / kGroup));
+#pragma GCC unroll 4
+    for (int t = 0; t < kLineTaps; ++t) {
+      const auto between = [&](int i) {
+        return hn::MulAdd(hn::Sub(set(to[i]), set(from[i])), ramp, set(from[i]));
+      };
+      hn::StoreU(between(t), d, narrow + t * kGroup + x);
+      hn::StoreU(between(kLineTaps + t), d, wide + t * kGroup + x);
+    }
+  }
+}
+
+void FindLineWeights(const LineGrid& any_grid, int* base_out, float* narrow_out, float* wide_out) {
   constexpr float kLog2E = 1.44269504f, kInverseRoot2Pi = 0.39894228f;
-  const Floats ramp = lane_numbers(d);
+  const LineGrid grid = any_grid;  // nothing that is stored aliases a copy
   const auto line_at = [&](int node) {
     return grid.above[node] + grid.share * (grid.below[node] - grid.above[node]);
   };
-  // Gaussians are as bright as they are narrow, lines as they are wide apart.
-  const Floats narrow_height = set(kInverseRoot2Pi / (grid.lines_a_pixel * grid.narrow_pixels));
-  const Floats wide_height = set(kInverseRoot2Pi / (grid.lines_a_pixel * grid.wide_pixels));
+  const float narrow_least = 1 / (grid.narrow_pixels * grid.narrow_pixels);
+  const float wide_least = 1 / (grid.wide_pixels * grid.wide_pixels);
+  LineProfile profile{};
+  profile.narrow_height = kInverseRoot2Pi / (grid.lines_a_pixel * grid.narrow_pixels);
+  profile.wide_height = kInverseRoot2Pi / (grid.lines_a_pixel * grid.wide_pixels);
   float from = line_at(0);
   for (int group = 0; group < grid.groups; ++group) {
     const float to = line_at(group + 1);
@@ -270,21 +335,20 @@ void FindLineWeights(const LineGrid& grid, int* base_out, float* narrow_out, flo
         (grid.below[group] - grid.above[group]) + (grid.below[group + 1] - grid.above[group + 1]);
     const float pitch = std::max(fall * (0.5f / kGroup), grid.least_pitch);
     const float lines = -0.5f * kLog2E / (pitch * pitch);
-    const Floats narrow_fall = set(lines / (grid.narrow_pixels * grid.narrow_pixels));
-    const Floats wide_fall = set(lines / (grid.wide_pixels * grid.wide_pixels));
+    profile.narrow_fall = lines * narrow_least;
+    profile.wide_fall = lines * wide_least;
     const int base = static_cast<int>(std::floor(0.5f * (from + to) - 0.5f * kLineTaps + 1.0f));
     base_out[group] = base;
-    for (int x = 0; x < kGroup; x += lanes()) {
-      Floats away =
-          hn::MulAdd(set((to - from) * (1.0f / kGroup)), hn::Add(ramp, set(static_cast<float>(x))),
-                     set(from - static_cast<float>(base)));
-#pragma GCC unroll 4
-      for (int t = 0; t < kLineTaps; ++t, away = hn::Sub(away, set(1.0f))) {
-        const int at = (group * kLineTaps + t) * kGroup + x;
-        const Floats q = hn::Mul(away, away);
-        hn::StoreU(hn::Mul(exp2_below(hn::Mul(q, narrow_fall)), narrow_height), d, narrow_out + at);
-        hn::StoreU(hn::Mul(exp2_below(hn::Mul(q, wide_fall)), wide_height), d, wide_out + at);
-      }
+    const float away = from - static_cast<float>(base), step = (to - from) * (1.0f / kGroup);
+    float* const narrow = narrow_out + group * kLineTaps * kGroup;
+    float* const wide = wide_out + group * kLineTaps * kGroup;
+    // Halfway between, a Gaussian's height differs by (fall / deviation)^2 / 8.
+    const float deviations = (to - from) / (pitch * grid.narrow_pixels);
+    constexpr float kLevel = 0.17f;
+    if (deviations * deviations < kLevel * kLevel) {
+      WeighLevelColumns(profile, away, step, narrow, wide);
+    } else {
+      WeighColumns(profile, away, step, narrow, wide);
     }
     from = to;
   }

@@ -36,7 +36,7 @@ struct AcrossCurve {
   const float* cell;  ///< cells from the line's beginning
   int groups;
   int cells;                         ///< in the line
-  int taps;                          ///< cells near a column: 4 or 6
+  int taps;                          ///< cells near a column: 4, 5 or 6
   float cells_a_pixel;               ///< the mean, of which the light of white is 1
   float narrow_pixels, wide_pixels;  ///< standard deviations, with the pixel's own
 };

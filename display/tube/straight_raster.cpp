@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <functional>
 
 #include "display/tube/deflection.h"
@@ -50,6 +51,7 @@ StraightRaster::StraightRaster(const TubeSettings& settings, const SpotModel& sp
     start = std::clamp(start, -kCellPad, e.cells + kCellPad - kGroup - across_.taps);
   }
   span_ = start_span(across_);
+  ring_lines_ = static_cast<int>(std::bit_ceil(static_cast<unsigned>(down_.taps)));
   for (int row = 0; row < e.height; ++row) {
     for (int t = 0; t < down_.taps; ++t) {
       down_narrow_.push_back(down_.at(0, row, t));
@@ -59,12 +61,11 @@ StraightRaster::StraightRaster(const TubeSettings& settings, const SpotModel& sp
 }
 
 std::ptrdiff_t StraightRaster::ring_at(const SpreadRing& ring, int line) const {
-  const int slot = ((line % down_.taps) + down_.taps) % down_.taps;
-  return static_cast<std::ptrdiff_t>(slot) * ring.groups * kGroup;
+  return static_cast<std::ptrdiff_t>(line & (ring_lines_ - 1)) * ring.groups * kGroup;
 }
 
 void StraightRaster::begin_tile(SpreadRing& ring, int x, int groups) const {
-  const std::size_t floats = static_cast<std::size_t>(down_.taps * groups * kGroup);
+  const std::size_t floats = static_cast<std::size_t>(ring_lines_ * groups * kGroup);
   ring.narrow.resize(std::max(ring.narrow.size(), floats));
   ring.wide.resize(std::max(ring.wide.size(), floats));
   ring.x = x;
