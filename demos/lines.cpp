@@ -30,8 +30,9 @@ class Lines : public ClonableDemo<Lines, Lesson> {
     const glm::ivec2 from = pixel(kFrom), to = pixel(kTo);
     Course course;
     const int method = knob(kMethod).index();
-    if (method != kBresenham) course.tracks.push_back(dda_track(from, to));
-    if (method != kDda) course.tracks.push_back(bresenham_track(from, to, method == kBoth));
+    if (method != kBresenham) course.tracks.push_back(dda_track(from, to, world()));
+    if (method != kDda)
+      course.tracks.push_back(bresenham_track(from, to, world(), method == kBoth));
     course.compare = method == kBoth;
     course.guides.push_back({corner(kFrom), corner(kTo)});
     if (centred_) {

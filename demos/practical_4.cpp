@@ -62,7 +62,7 @@ class RubberBand : public ClonableDemo<RubberBand, Lesson> {
     return course;
   }
   Track line(glm::ivec2 from, glm::ivec2 to) const {
-    return knob(0).index() == 0 ? dda_track(from, to) : bresenham_track(from, to);
+    return knob(0).index() == 0 ? dda_track(from, to, world()) : bresenham_track(from, to, world());
   }
 
   std::vector<std::pair<glm::dvec2, glm::dvec2>> fixed_;

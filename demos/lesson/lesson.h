@@ -64,8 +64,8 @@ class Lesson : public Demo {
   std::size_t state_bytes() const override { return screen_.state_bytes() + kOwnBytes; }
 
   /// For tests: what is shown, and what the panel says.
-  const Course& scene() const { return *scene_; }
-  const std::string& fault() const { return fault_; }
+  const Course& course() const { return *scene_; }
+  const std::string& fault() const { return typing_fault_.empty() ? fault_ : typing_fault_; }
   std::size_t shown() const { return playback_.shown(); }
   World world() const;
   /// Where something is in the picture: a point of the world, a control of the panel.

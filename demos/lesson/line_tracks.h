@@ -2,28 +2,31 @@
 #pragma once
 
 #include "demos/lesson/track.h"
+#include "demos/lesson/world.h"
 #include "raster/scan/bresenham_steps.h"
 #include "raster/scan/dda_line.h"
 
 namespace kinescope {
 
-/// @throws Error (bad input) beyond what can be drawn
-inline Track dda_track(glm::ivec2 from, glm::ivec2 to, int pane = 0) {
+/// The state names pixels as the world does. @throws Error (bad input) beyond what can be drawn
+inline Track dda_track(glm::ivec2 from, glm::ivec2 to, const World& world, int pane = 0) {
   check_coordinates(from);
   check_coordinates(to);
   Track track("DDA", {"x", "y"}, pane);
   for (DdaLine line(from, to); line.next();) {
     track(line.at().x, line.at().y);
-    track.step({line.position().x, line.position().y});
+    const glm::dvec2 at = world.named(line.position());
+    track.step({at.x, at.y});
   }
   return track;
 }
 
-inline Track bresenham_track(glm::ivec2 from, glm::ivec2 to, int pane = 0) {
+inline Track bresenham_track(glm::ivec2 from, glm::ivec2 to, const World& world, int pane = 0) {
   Track track("Bresenham", {"x", "y", "d"}, pane);
   for (BresenhamSteps line(from, to); line.next();) {
     track(line.at().x, line.at().y);
-    track.step({double(line.at().x), double(line.at().y), double(line.decision())});
+    const glm::dvec2 at = world.named(line.at());
+    track.step({at.x, at.y, double(line.decision())});
   }
   return track;
 }

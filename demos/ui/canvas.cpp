@@ -82,13 +82,16 @@ void Canvas::blend(int x, int y, Srgb8 colour, float coverage) {
 template <typename Coverage>
 void Canvas::cover(float x0, float y0, float x1, float y1, Srgb8 colour, const Coverage& coverage) {
   // The clip comes first in each comparison, so that it also stands in for what is not a number;
-  // its sum of start and width may be rounded past the picture.
-  const int left = static_cast<int>(std::floor(std::max(clip_.x, x0)));
-  const int top = static_cast<int>(std::floor(std::max(clip_.y, y0)));
+  // its sum of start and width may be rounded past the picture. Far places are cut to it before
+  // they become whole numbers.
+  const int left = static_cast<int>(std::floor(std::min(clip_.right(), std::max(clip_.x, x0))));
+  const int top = static_cast<int>(std::floor(std::min(clip_.bottom(), std::max(clip_.y, y0))));
   const int right =
-      std::min(picture_.width(), static_cast<int>(std::ceil(std::min(clip_.right(), x1))));
+      std::min(picture_.width(),
+               static_cast<int>(std::ceil(std::max(clip_.x, std::min(clip_.right(), x1)))));
   const int bottom =
-      std::min(picture_.height(), static_cast<int>(std::ceil(std::min(clip_.bottom(), y1))));
+      std::min(picture_.height(),
+               static_cast<int>(std::ceil(std::max(clip_.y, std::min(clip_.bottom(), y1)))));
   for (int y = top; y < bottom; ++y) {
     for (int x = left; x < right; ++x) {
       const float c =
