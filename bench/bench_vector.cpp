@@ -22,7 +22,7 @@ struct Options {
   float length = 20, sigma = 1;
   std::vector<int> threads{1, 2};
   std::vector<int> planes{1};
-  int list = 50000;
+  int list = 100000;
   bool json = false;
 };
 
@@ -84,7 +84,7 @@ ListRow measure_list(const Options& o, const std::vector<BeamStroke>& strokes, i
   std::array<std::vector<double>, 3> times;
   Seconds now{0};
   for (int run = 0; run < o.runs; ++run) {
-    for (int i = 0; i < 3 + 20; ++i, now += frame) {
+    for (int i = 0; i < 60; ++i, now += frame) {
       // Backwards in every other run: no repetition of the one before.
       for (std::size_t m = 0; m < moves.size(); ++m) {
         const BeamStroke& s = strokes[run % 2 ? moves.size() - 1 - m : m];
@@ -92,7 +92,7 @@ ListRow measure_list(const Options& o, const std::vector<BeamStroke>& strokes, i
         moves[m] = {s.x0, o.height - s.y0, s.x1, o.height - s.y1, at, at + each, 1, {1, 1, 1}, 0};
       }
       const double ms = milliseconds_of([&] { tube.expose(moves, now + frame, workers); });
-      if (i == 1 || i == 5 || i == 22) times[i == 1 ? 0 : i == 5 ? 1 : 2].push_back(ms);
+      if (i == 1 || i == 5 || i == 59) times[i == 1 ? 0 : i == 5 ? 1 : 2].push_back(ms);
     }
   }
   return {threads, median(times[0]), median(times[1]), median(times[2])};
