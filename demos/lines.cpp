@@ -40,7 +40,7 @@ class Lines : public ClonableDemo<Lines, Lesson> {
       course.guides.push_back({{0, origin.y}, {2 * origin.x, origin.y}, theme::kDim});
       course.guides.push_back({{origin.x, 0}, {origin.x, 2 * origin.y}, theme::kDim});
     }
-    if (from == to) course.remarks.push_back("The ends are one pixel: the line has no length.");
+    if (from == to) course.remarks.emplace_back("The ends are one pixel: the line has no length.");
     return course;
   }
 

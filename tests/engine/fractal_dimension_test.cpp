@@ -1,11 +1,12 @@
-// Dimensions by box counting, of figures whose dimension theory or long simulations give. Boxes
-// count a few octaves only: tolerances say how far such counts lie from the limit.
+// Dimensions by box counting and by growth, of figures whose dimension theory or long simulations
+// give. Boxes count a few octaves only: tolerances say how far such counts lie from the limit.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "engine/fractals/brownian.h"
 #include "engine/fractals/dimension.h"
+#include "engine/fractals/dla.h"
 #include "engine/fractals/plasma.h"
 #include "engine/fractals/turtle.h"
 
@@ -40,6 +41,35 @@ TEST(BoxDimension, ArrowheadIsSierpinskis) {
   EXPECT_NEAR(boxed(points, {0.25, 0.125, 0.0625, 0.03125, 0.015625}), std::log2(3.0), 0.06);
 }
 
+// Boxes are too few for a cluster of some thousand particles. Its radius of gyration grows with
+// N^(1/D); one cluster's slope is off by some 0.05.
+double gyration_dimension(const std::vector<glm::ivec2>& particles) {
+  glm::dvec2 sum(0);
+  double squares = 0, w = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const glm::dvec2 p(particles[i]);
+    const double n = static_cast<double>(i + 1);
+    sum += p;
+    squares += glm::dot(p, p);
+    if (i < particles.size() / 16) continue;
+    const double size = std::log(n);
+    const double radius = 0.5 * std::log(squares / n - glm::dot(sum, sum) / (n * n));
+    w += 1 / n, x += size / n, y += radius / n, xx += size * size / n, xy += size * radius / n;
+  }
+  return (w * xx - x * x) / (w * xy - x * y);
+}
+
+TEST(GyrationDimension, AggregationIsNearOnePointSevenOne) {
+  double mean = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Aggregation cluster(256, seed);
+    while (cluster.next()) {
+    }
+    mean += gyration_dimension(cluster.particles) / 4;
+  }
+  EXPECT_NEAR(mean, 1.71, 0.1);  // 1.71: Witten and Sander; a compact cluster's is 2
+}
+
 TEST(BoxDimension, GraphsOfMotionAreTwoLessHurst) {
   for (const double hurst : {0.5, 0.7}) {
     double mean = 0;
@@ -49,6 +79,24 @@ TEST(BoxDimension, GraphsOfMotionAreTwoLessHurst) {
       mean += graph_dimension(line.heights, 1) / 4;
     }
     EXPECT_NEAR(mean, 2 - hurst, 0.12) << hurst;
+  }
+}
+
+// Rough graphs fill their boxes only far below the points' distance; their law itself can be
+// tested.
+TEST(StructureFunction, IncrementsOfMotionGrowWithThePowerHurst) {
+  for (const double hurst : {0.3, 0.5, 0.7}) {
+    MidpointLine line(hurst, 1);
+    for (int level = 0; level < 14; ++level) line.next();
+    const auto mean_square = [&](std::size_t lag) {
+      double sum = 0;
+      for (std::size_t i = 0; i + lag < line.heights.size(); i += lag) {
+        const double rise = line.heights[i + lag] - line.heights[i];
+        sum += rise * rise;
+      }
+      return sum * static_cast<double>(lag) / static_cast<double>(line.heights.size() - 1);
+    };
+    EXPECT_NEAR(std::log2(mean_square(16) / mean_square(1)) / 8, hurst, 0.03) << hurst;
   }
 }
 
