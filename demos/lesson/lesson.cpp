@@ -63,7 +63,7 @@ int Lesson::whole_figure(int index) const {
 
 std::size_t Lesson::steps() const {
   std::size_t most = 0;
-  for (const Track& track : scene_->tracks) most = std::max(most, track.steps());
+  for (const Track& track : course_->tracks) most = std::max(most, track.steps());
   return most;
 }
 
@@ -108,7 +108,7 @@ void Lesson::run_anew(bool at_end) {
     *scene = {};
     different->clear();
   }
-  scene_ = std::move(scene);
+  course_ = std::move(scene);
   different_ = std::move(different);
   playback_.go_to(at_end ? steps() : 0);
   stale_ = true;
@@ -304,17 +304,17 @@ bool Lesson::accept() {
 
 void Lesson::show_panes() {
   const World world = this->world();
-  std::vector<Image<Srgb8>> papers = scene_->papers;
+  std::vector<Image<Srgb8>> papers = course_->papers;
   papers.resize(static_cast<std::size_t>(world.panes.x * world.panes.y));
   for (Image<Srgb8>& paper : papers) {
     if (paper.empty()) paper = Image<Srgb8>(world.columns(), world.rows(), kPaper);
   }
-  for (const Track& track : scene_->tracks) {
+  for (const Track& track : course_->tracks) {
     track.draw(playback_.shown(), papers[static_cast<std::size_t>(track.pane())]);
   }
   // The difference is told once both are done.
   for (std::size_t i = 0; i < different_->size() && playback_.shown() == steps(); ++i) {
-    Image<Srgb8>& paper = papers[static_cast<std::size_t>(scene_->tracks[i].pane())];
+    Image<Srgb8>& paper = papers[static_cast<std::size_t>(course_->tracks[i].pane())];
     for (const Mark& mark : (*different_)[i]) {
       if (paper.contains(mark.x, mark.y)) paper.at(mark.x, mark.y) = theme::kRed;
     }

@@ -64,7 +64,7 @@ class Lesson : public Demo {
   std::size_t state_bytes() const override { return screen_.state_bytes() + kOwnBytes; }
 
   /// For tests: what is shown, and what the panel says.
-  const Course& course() const { return *scene_; }
+  const Course& course() const { return *course_; }
   const std::string& fault() const { return typing_fault_.empty() ? fault_ : typing_fault_; }
   std::size_t shown() const { return playback_.shown(); }
   World world() const;
@@ -150,7 +150,7 @@ class Lesson : public Demo {
   FollowedKnobs followed_;
   LessonScreen screen_;
   World last_world_;
-  std::shared_ptr<const Course> scene_ = std::make_shared<Course>();
+  std::shared_ptr<const Course> course_ = std::make_shared<Course>();
   std::shared_ptr<const std::vector<std::vector<Mark>>> different_;  // of the first two tracks
   Playback playback_;
   std::string fault_, typing_fault_;

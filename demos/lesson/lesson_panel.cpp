@@ -104,18 +104,18 @@ Form::Table Lesson::table(const Track& track, const Track* beside) const {
       return !std::equal(a.begin(), a.end(), b.begin(), b.end(),
                          [](const Mark& p, const Mark& q) { return p.x == q.x && p.y == q.y; });
     };
-    table.marked.push_back(beside && scene_->compare && differs(*beside));
+    table.marked.push_back(beside && course_->compare && differs(*beside));
   }
   return table;
 }
 
 void Lesson::draw_state(Form& form) const {
   const float bottom = side().height - theme::kMargin * theme::scale_for(height());
-  const auto& tracks = scene_->tracks;
+  const auto& tracks = course_->tracks;
   form.text(
       fmt::format("step {} of {}, {}", playback_.shown(), steps(), knob(own_knobs_ + 2).text()),
       theme::kAccent);
-  for (const std::string& remark : scene_->remarks) form.text(remark, theme::kText);
+  for (const std::string& remark : course_->remarks) form.text(remark, theme::kText);
   constexpr std::size_t kMostColumns = 6;
   const bool together =
       tracks.size() == 2 && tracks[0].columns().size() + tracks[1].columns().size() <= kMostColumns;
@@ -164,7 +164,7 @@ void Lesson::draw_over(Canvas& canvas) const {
   const int panes = world.panes.x * world.panes.y;
   for (int pane = 0; pane < panes; ++pane) {
     const auto place = [&](glm::dvec2 at) { return screen_.place(world, {pane, at}); };
-    for (const Guide& guide : scene_->guides) {
+    for (const Guide& guide : course_->guides) {
       if (guide.pane >= 0 && guide.pane != pane) continue;
       canvas.line(place(guide.from), place(guide.to), 1.5f * scale, guide.colour);
     }
@@ -181,7 +181,7 @@ void Lesson::draw_over(Canvas& canvas) const {
       canvas.line(corner, {screen_.face().right(), corner.y}, 2 * scale, theme::kDim);
     }
   }
-  for (const Track& track : scene_->tracks) {
+  for (const Track& track : course_->tracks) {
     const std::size_t now = playback_.shown();
     if (now == 0 || now > track.steps()) continue;
     const auto marks = track.marks(now - 1);
@@ -190,7 +190,7 @@ void Lesson::draw_over(Canvas& canvas) const {
       canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
     }
   }
-  for (const Track& track : scene_->tracks) {
+  for (const Track& track : course_->tracks) {
     if (panes == 1) break;
     const glm::vec2 at = screen_.place(world, {track.pane(), {0, 0}});
     canvas.text(studio().sans, at + glm::vec2(6, 17) * scale, track.name(), theme::kSmall * scale,

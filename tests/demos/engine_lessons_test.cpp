@@ -50,7 +50,7 @@ TEST(EngineLessons, ADraggedLineIsClippedAsTheLibraryClipsIt) {
   const auto left = clip_liang_barsky({glm::min(a, b), glm::max(a, b)},
                                       {world.named(from), world.named(corner(0.95, 0.7))});
   ASSERT_TRUE(left);
-  EXPECT_EQ(user.lesson().scene().remarks.at(0),
+  EXPECT_EQ(user.lesson().course().remarks.at(0),
             fmt::format("inside: ({:.2f}, {:.2f}) to ({:.2f}, {:.2f})", left->from.x, left->from.y,
                         left->to.x, left->to.y));
 }
@@ -71,7 +71,7 @@ TEST(EngineLessons, AClickHalvesTheMandelbrotSetsView) {
   view.height = static_cast<int>(user.size().y);
   view.step = 1.7 / view.width;
   view.most = 200;
-  const Track& track = user.lesson().scene().tracks.at(0);
+  const Track& track = user.lesson().course().tracks.at(0);
   ASSERT_EQ(track.steps(), static_cast<std::size_t>(view.height));
   for (int j = 0; j < view.height; ++j) {
     int inside = 0;

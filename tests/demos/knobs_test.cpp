@@ -65,9 +65,9 @@ TEST_P(EveryKnob, KeysAreItsOwnAndExplained) {
 using Keys = std::vector<std::string>;
 
 /// A run in whose second step keys are pressed.
-class Run {
+class TurnedDemo {
  public:
-  Run(const DemoInfo& info, const Keys& keys)
+  TurnedDemo(const DemoInfo& info, const Keys& keys)
       : player_(info, small_setup(), 0), length_(step_length(info, player_.demo())) {
     std::vector<InputEvent> events;
     for (const std::string& key : keys) events.push_back(key_down(key));
@@ -119,16 +119,16 @@ std::vector<Keys> circumstances(std::span<const Knob> knobs, std::size_t but) {
 TEST_P(EveryKnob, EachTurnOfEachKnobChangesThePicture) {
   const auto demo = info().create(small_setup());
   const std::span<const Knob> knobs = demo->knobs();
-  std::map<Keys, Run> unturned;
+  std::map<Keys, TurnedDemo> unturned;
   for (std::size_t i = 0; i < knobs.size(); ++i) {
     for (const double value : other_values(knobs[i])) {
       bool changed = false;
       for (const Keys& before : circumstances(knobs, i)) {
-        Run& base = unturned.try_emplace(before, info(), before).first->second;
+        TurnedDemo& base = unturned.try_emplace(before, info(), before).first->second;
         Keys keys = before;
         const Keys turn = knobs[i].keys_to(value);
         keys.insert(keys.end(), turn.begin(), turn.end());
-        Run turned(info(), keys);
+        TurnedDemo turned(info(), keys);
         for (std::size_t k = 0; k < 4 && !changed; ++k)
           changed = base.picture(k) != turned.picture(k);
         if (changed) break;
