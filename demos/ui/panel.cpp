@@ -161,8 +161,10 @@ class Panel::Painter {
     const int steps = static_cast<int>(std::lround((knob.maximum - knob.minimum) / knob.step));
     const float width = track.width / static_cast<float>(steps);
     for (int i = 0; i <= steps; ++i) {
-      const float x = track.x + (static_cast<float>(i) - 0.5f) * width;
-      target({x, y_ - px(10), width, px(20)}, index, knob.minimum + knob.step * i);
+      const float middle = track.x + static_cast<float>(i) * width;
+      const float from = std::max(track.x, middle - 0.5f * width);
+      const float to = std::min(track.x + track.width, middle + 0.5f * width);
+      target({from, y_ - px(10), to - from, px(20)}, index, knob.minimum + knob.step * i);
     }
   }
 
