@@ -1,5 +1,7 @@
 #include "display/data_lines.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -34,6 +36,21 @@ double parse_number(const std::string& word, const std::string& file, const std:
     throw_bad_input("\"" + word + "\" is not a number", file, where);
   }
   return value;
+}
+
+double bounded_number(const Words& words, std::size_t i, double least, double most,
+                      const std::string& file, const std::string& where) {
+  if (i >= words.size()) throw_bad_input(words[0] + " lacks a number", file, where);
+  const double v = parse_number(words[i], file, where);
+  if (!(v >= least && v <= most)) {
+    throw_bad_input(fmt::format("{} must lie from {:g} to {:g}", words[0], least, most), file,
+                    where);
+  }
+  return v;
+}
+
+std::string words_after_key(const Words& words) {
+  return fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
 }
 
 }  // namespace kinescope

@@ -14,38 +14,29 @@
 namespace kinescope {
 namespace {
 
-struct NumberKey {
-  std::string_view key;
-  double least, most;
-  void (*set)(VectorMachine&, double);
-};
-
 int whole(double v) { return static_cast<int>(v); }
 
-constexpr std::array kNumbers{
-    NumberKey{"memory", 16, 1 << 24, [](VectorMachine& m, double v) { m.memory_words = whole(v); }},
-    NumberKey{"stack", 1, 1024, [](VectorMachine& m, double v) { m.stack = whole(v); }},
-    NumberKey{"screen_mm", 10, 2000, [](VectorMachine& m, double v) { m.screen_mm = v; }},
-    NumberKey{"clock_mhz", 0.01, 1000, [](VectorMachine& m, double v) { m.clock_hz = v * 1e6; }},
-    NumberKey{"sync_hz", 0, 1000, [](VectorMachine& m, double v) { m.sync_hz = v; }},
-    NumberKey{"restart_hz", 0, 1000, [](VectorMachine& m, double v) { m.restart_hz = v; }},
-    NumberKey{"blink_hz", 0.01, 100, [](VectorMachine& m, double v) { m.blink_hz = v; }},
-    NumberKey{"watchdog_ms", 0.1, 1e4, [](VectorMachine& m, double v) { m.watchdog_ms = v; }},
-    NumberKey{"speed_units_us", 1e-3, 1e6,
-              [](VectorMachine& m, double v) { m.speed_units_us = v; }},
-    NumberKey{"spot_sigma_mm", 0.001, 50, [](VectorMachine& m, double v) { m.spot_sigma_mm = v; }},
-    NumberKey{"deflection_khz", 0, 1e6, [](VectorMachine& m, double v) { m.deflection_khz = v; }},
-    NumberKey{"damping", 0.05, 10, [](VectorMachine& m, double v) { m.damping = v; }},
-    NumberKey{"slew_mm_us", 0, 1e6, [](VectorMachine& m, double v) { m.slew_mm_us = v; }},
-    NumberKey{"intensity_mhz", 0, 1e4, [](VectorMachine& m, double v) { m.intensity_mhz = v; }},
-    NumberKey{"spot_growth", 0, 2, [](VectorMachine& m, double v) { m.spot_growth = v; }},
-    NumberKey{"penetration", 0, 1, [](VectorMachine& m, double v) { m.penetration = v != 0; }},
-    NumberKey{"edge_spread", 0, 10, [](VectorMachine& m, double v) { m.edge_spread = v; }},
-};
+using Key = NumberKey<VectorMachine>;
 
-std::string join(const Words& words) {
-  return fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
-}
+constexpr std::array kNumbers{
+    Key{"memory", 16, 1 << 24, [](VectorMachine& m, double v) { m.memory_words = whole(v); }},
+    Key{"stack", 1, 1024, [](VectorMachine& m, double v) { m.stack = whole(v); }},
+    Key{"screen_mm", 10, 2000, [](VectorMachine& m, double v) { m.screen_mm = v; }},
+    Key{"clock_mhz", 0.01, 1000, [](VectorMachine& m, double v) { m.clock_hz = v * 1e6; }},
+    Key{"sync_hz", 0, 1000, [](VectorMachine& m, double v) { m.sync_hz = v; }},
+    Key{"restart_hz", 0, 1000, [](VectorMachine& m, double v) { m.restart_hz = v; }},
+    Key{"blink_hz", 0.01, 100, [](VectorMachine& m, double v) { m.blink_hz = v; }},
+    Key{"watchdog_ms", 0.1, 1e4, [](VectorMachine& m, double v) { m.watchdog_ms = v; }},
+    Key{"speed_units_us", 1e-3, 1e6, [](VectorMachine& m, double v) { m.speed_units_us = v; }},
+    Key{"spot_sigma_mm", 0.001, 50, [](VectorMachine& m, double v) { m.spot_sigma_mm = v; }},
+    Key{"deflection_khz", 0, 1e6, [](VectorMachine& m, double v) { m.deflection_khz = v; }},
+    Key{"damping", 0.05, 10, [](VectorMachine& m, double v) { m.damping = v; }},
+    Key{"slew_mm_us", 0, 1e6, [](VectorMachine& m, double v) { m.slew_mm_us = v; }},
+    Key{"intensity_mhz", 0, 1e4, [](VectorMachine& m, double v) { m.intensity_mhz = v; }},
+    Key{"spot_growth", 0, 2, [](VectorMachine& m, double v) { m.spot_growth = v; }},
+    Key{"penetration", 0, 1, [](VectorMachine& m, double v) { m.penetration = v != 0; }},
+    Key{"edge_spread", 0, 10, [](VectorMachine& m, double v) { m.edge_spread = v; }},
+};
 
 /// The lines of one file; see generic.txt for what they mean.
 class MachineReader {
@@ -79,12 +70,7 @@ class MachineReader {
   [[noreturn]] void fail(const std::string& what) const { throw_bad_input(what, file_, where_); }
 
   double number(const Words& words, std::size_t i, double least, double most) const {
-    if (i >= words.size()) fail(words[0] + " lacks a number");
-    const double v = parse_number(words[i], file_, where_);
-    if (!(v >= least && v <= most)) {
-      fail(fmt::format("{} must lie from {:g} to {:g}", words[0], least, most));
-    }
-    return v;
+    return bounded_number(words, i, least, most, file_, where_);
   }
 
   void find_phosphor_or_tell() const {
@@ -97,20 +83,17 @@ class MachineReader {
 
   void read_line(const Words& words) {
     const std::string& key = words[0];
-    const auto found = std::find_if(kNumbers.begin(), kNumbers.end(),
-                                    [&](const NumberKey& n) { return n.key == key; });
-    if (found != kNumbers.end()) {
-      found->set(machine_, number(words, 1, found->least, found->most));
-    } else if (key == "size") {
+    if (set_number(kNumbers, machine_, words, file_, where_)) return;
+    if (key == "size") {
       machine_.width = whole(number(words, 1, 2, 1 << 16));
       machine_.height = whole(number(words, 2, 2, 1 << 16));
     } else if (key == "cost") {
       const double per_unit = words.size() > 3 ? number(words, 3, 0, 1e6) : 0;
       machine_.costs.push_back({words[1], number(words, 2, 0, 1e6), per_unit});
     } else if (key == "note") {
-      machine_.note = join(words);
+      machine_.note = words_after_key(words);
     } else if (key == "source") {
-      machine_.source += (machine_.source.empty() ? "" : " ") + join(words);
+      machine_.source += (machine_.source.empty() ? "" : " ") + words_after_key(words);
     } else if (key == "lacks") {
       machine_.lacks.insert(machine_.lacks.end(), words.begin() + 1, words.end());
     } else if (key == "words") {

@@ -15,24 +15,19 @@ namespace {
 
 using Type = StorageTubeType;
 
-struct NumberKey {
-  std::string_view key;
-  double least, most;
-  void (*set)(Type&, double);
-};
+using Key = NumberKey<Type>;
 
 constexpr std::array kNumbers{
-    NumberKey{"screen_mm", 10, 2000, [](Type& t, double v) { t.screen_mm = v; }},
-    NumberKey{"sigma_mm", 0.001, 50, [](Type& t, double v) { t.sigma_mm = v; }},
-    NumberKey{"threshold", 0.01, 0.99, [](Type& t, double v) { t.threshold = v; }},
-    NumberKey{"speed_mm_ms", 0.001, 1e9, [](Type& t, double v) { t.speed_mm_ms = v; }},
-    NumberKey{"flash", 0, 1000, [](Type& t, double v) { t.flash = v; }},
-    NumberKey{"background", 0, 1, [](Type& t, double v) { t.background = v; }},
-    NumberKey{"write_through", 0, 1, [](Type& t, double v) { t.write_through = v; }},
-    NumberKey{"erase_s", 0.001, 100, [](Type& t, double v) { t.erase = Seconds(v); }},
-    NumberKey{"erase_flash_s", 0, 100, [](Type& t, double v) { t.erase_flash = Seconds(v); }},
-    NumberKey{"fade_minutes", 0.01, 1e6,
-              [](Type& t, double v) { t.half_contrast = Seconds(60 * v); }},
+    Key{"screen_mm", 10, 2000, [](Type& t, double v) { t.screen_mm = v; }},
+    Key{"sigma_mm", 0.001, 50, [](Type& t, double v) { t.sigma_mm = v; }},
+    Key{"threshold", 0.01, 0.99, [](Type& t, double v) { t.threshold = v; }},
+    Key{"speed_mm_ms", 0.001, 1e9, [](Type& t, double v) { t.speed_mm_ms = v; }},
+    Key{"flash", 0, 1000, [](Type& t, double v) { t.flash = v; }},
+    Key{"background", 0, 1, [](Type& t, double v) { t.background = v; }},
+    Key{"write_through", 0, 1, [](Type& t, double v) { t.write_through = v; }},
+    Key{"erase_s", 0.001, 100, [](Type& t, double v) { t.erase = Seconds(v); }},
+    Key{"erase_flash_s", 0, 100, [](Type& t, double v) { t.erase_flash = Seconds(v); }},
+    Key{"fade_minutes", 0.01, 1e6, [](Type& t, double v) { t.half_contrast = Seconds(60 * v); }},
 };
 
 class TubeReader {
@@ -59,23 +54,12 @@ class TubeReader {
   [[noreturn]] void fail(const std::string& what) const { throw_bad_input(what, file_, where_); }
 
   double number(const Words& words, std::size_t i, double least, double most) const {
-    if (i >= words.size()) fail(words[0] + " lacks a number");
-    const double v = parse_number(words[i], file_, where_);
-    if (!(v >= least && v <= most)) {
-      fail(fmt::format("{} must lie from {:g} to {:g}", words[0], least, most));
-    }
-    return v;
+    return bounded_number(words, i, least, most, file_, where_);
   }
 
   void read_line(const Words& words, Type& tube) const {
     const std::string& key = words[0];
-    const auto rest = [&] {
-      return fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
-    };
-    const auto found = std::find_if(kNumbers.begin(), kNumbers.end(),
-                                    [&](const NumberKey& n) { return n.key == key; });
-    if (found != kNumbers.end()) {
-      found->set(tube, number(words, 1, found->least, found->most));
+    if (set_number(kNumbers, tube, words, file_, where_)) {
       if (tube.erase_flash > tube.erase) fail("the flash outlasts the erasure");
     } else if (key == "size") {
       tube.width = static_cast<int>(number(words, 1, 2, 1 << 16));
@@ -84,9 +68,9 @@ class TubeReader {
       tube.settle_us = number(words, 1, 0, 1e6);
       tube.settle_us_mm = number(words, 2, 0, 1e6);
     } else if (key == "note") {
-      tube.note = rest();
+      tube.note = words_after_key(words);
     } else if (key == "source") {
-      tube.source += (tube.source.empty() ? "" : " ") + rest();
+      tube.source += (tube.source.empty() ? "" : " ") + words_after_key(words);
     } else if (key == "phosphor") {
       tube.phosphor = words[1];
     } else {
