@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "demos/registry.h"
 #include "demos/ui/theme.h"
@@ -33,7 +36,10 @@ void Gallery::lay_out() {
   const float most = std::max(1.0f, std::floor(room / ((kMinCell + kCellGap) * scale_)));
   const float columns = std::min(std::ceil(std::sqrt(count)), most);
   // Pictures of 4:3 that leave room for as many rows as a square page would have.
-  const float rows = std::min(std::ceil(count / columns), columns);
+  // More scroll.
+  const float least = (0.75f * kMinCell + kCaption + kCellGap) * scale_;
+  const float fitting = std::floor((static_cast<float>(height_) - kHeader * scale_) / least);
+  const float rows = std::min({std::ceil(count / columns), columns, std::max(1.0f, fitting)});
   const float by_height = (static_cast<float>(height_) - kHeader * scale_) / rows;
   const float wide = room / columns - kCellGap * scale_;
   const float tall = (by_height - (kCaption + kCellGap) * scale_) * 4 / 3;
@@ -187,11 +193,22 @@ void Gallery::draw_caption(std::size_t index, Canvas& canvas) {
   float y = place.bottom() + line * 1.15f;
   canvas.text(font, {place.x, y}, info.name, theme::kBody * 1.1f * scale_,
               index == selected_ ? theme::kAccent : theme::kText);
-  canvas.text(font, {place.right(), y}, info.chapter, theme::kSmall * scale_, theme::kDim,
-              Align::kRight);
-  for (const std::string& words : wrap(font, info.summary, theme::kSmall * scale_, place.width)) {
+  const float small = theme::kSmall * scale_;
+  const float room = place.width - font.width_px(info.name, theme::kBody * 1.1f * scale_) - small;
+  for (const std::string_view chapter :
+       {info.chapter, info.chapter.substr(0, info.chapter.find(' '))}) {
+    if (font.width_px(chapter, small) > room) continue;
+    canvas.text(font, {place.right(), y}, chapter, small, theme::kDim, Align::kRight);
+    break;
+  }
+  std::vector<std::string> lines = wrap(font, info.summary, small, place.width);
+  const auto most = static_cast<std::size_t>(
+      std::max(0.0f, (cell(index).bottom() + 0.5f * kCellGap * scale_ - y) / (line * 0.9f)));
+  if (lines.size() > most && most > 0) lines[most - 1] += " ...";
+  lines.resize(std::min(lines.size(), most));
+  for (const std::string& words : lines) {
     y += line * 0.9f;
-    canvas.text(font, {place.x, y}, words, theme::kSmall * scale_, theme::kDim);
+    canvas.text(font, {place.x, y}, words, small, theme::kDim);
   }
 }
 

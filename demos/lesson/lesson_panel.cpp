@@ -12,7 +12,7 @@
 namespace kinescope {
 namespace {
 
-constexpr float kHintRoom = 56;        // below the picture
+constexpr float kHintRoom = 86;        // below the picture, with the window's own line
 constexpr std::size_t kMostLit = 256;  // pixels of a step with a frame around each
 
 std::string cell(double value) {
@@ -30,9 +30,11 @@ Rect Lesson::side() const {
 }
 
 Rect Lesson::stage() const {
-  const float scale = theme::scale_for(height());
-  const float room = static_cast<float>(height()) - kHintRoom * scale;
-  return Rect{0, 0, side().x, room}.shrunk(theme::kGap * scale);
+  // A thumbnail's picture keeps most of its height.
+  const float scale = theme::scale_for(height()), h = static_cast<float>(height());
+  const float room = h - std::min(kHintRoom * scale, 0.4f * h);
+  const float gap = std::min(theme::kGap * scale, 0.1f * std::min(side().x, room));
+  return Rect{0, 0, side().x, room}.shrunk(gap);
 }
 
 void Lesson::draw_fields(Form& form) const {
