@@ -45,7 +45,8 @@ TEST(StorageTube, KeepsWhatItWroteOnce) {
   EXPECT_NEAR(soon.g, 0.9f, 0.1f);
   EXPECT_NEAR(later.g, soon.g, 0.02f * soon.g);
   EXPECT_NEAR(bench.at(20).at(200, 100).g, 0.04f, 1e-3f);
-  EXPECT_EQ(bench.at(21).at(200, 2).g, bench.at(22).at(200, 60).g);
+  const float corner = bench.at(21).at(200, 2).g;
+  EXPECT_EQ(bench.at(22).at(200, 60).g, corner);
 }
 
 TEST(StorageTube, AStillPictureIsNotDrawnAgain) {
