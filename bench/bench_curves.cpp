@@ -1,12 +1,12 @@
 // Time against size, count, pixels or threads: the points of one curve.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
 
+#include "bench/flags/flags.h"
 #include "bench/peer_llvmpipe.h"
 #include "bench/program.h"
 #include "bench/statistics.h"
@@ -140,20 +140,18 @@ void print_table(const Points& points) {
 
 int run(int argc, char** argv) {
   Options options;
-  CLI::App app("The points of one cost curve, ours and llvmpipe's.");
+  Flags flags("The points of one cost curve, ours and llvmpipe's.");
   const std::map<std::string, Points (*)(const Options&)> curves = {{"size", size_curve},
                                                                     {"count", count_curve},
                                                                     {"pixels", pixels_curve},
                                                                     {"threads", threads_curve}};
-  app.add_option("--curve", options.curve, "size, count, pixels, or threads (one point of it)")
-      ->required()
-      ->check(CLI::IsMember(curves));
-  app.add_option("--samples", options.samples, "samples a pixel: 1, 4")
-      ->check(CLI::IsMember({1, 4}));
-  app.add_option("--threads", options.threads, "threads of each")->check(CLI::Range(1, 64));
-  app.add_option("--pairs", options.pairs, "timed pairs of frames")->check(CLI::Range(1, 1000));
-  app.add_flag("--json", options.json, "a list of figures instead of the table");
-  CLI11_PARSE(app, argc, argv);
+  flags.option("--curve", &options.curve, "size, count, pixels, or threads (one point of it)",
+               Flags::OneOf{{"size", "count", "pixels", "threads"}}, Flags::Need::kRequired);
+  flags.option("--samples", &options.samples, "samples a pixel: 1, 4", Flags::OneOf{{"1", "4"}});
+  flags.option("--threads", &options.threads, "threads of each", Flags::Within{1, 64});
+  flags.option("--pairs", &options.pairs, "timed pairs of frames", Flags::Within{1, 1000});
+  flags.flag("--json", options.json, "a list of figures instead of the table");
+  if (const auto exit = flags.parse(argc, argv)) return *exit;
   LlvmpipePeer::set_threads(options.threads);
   const Points points = curves.at(options.curve)(options);
   options.json ? print_json(options, points) : print_table(points);

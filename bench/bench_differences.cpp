@@ -1,10 +1,10 @@
 // Pixels that are not llvmpipe's, counted by the kind of their difference.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 
 #include "bench/difference_kinds.h"
+#include "bench/flags/flags.h"
 #include "bench/peer_llvmpipe.h"
 #include "bench/program.h"
 #include "raster/base/error.h"
@@ -54,11 +54,11 @@ int run(int argc, char** argv) {
   std::vector<std::string> workloads;
   std::vector<int> samples{1, 4};
   int examples = 0;
-  CLI::App app("Pixels that are not llvmpipe's, by kind, as a Markdown table: pixels (seen).");
-  app.add_option("--workload", workloads, "by name; all if none is given");
-  app.add_option("--samples", samples, "1, 4")->check(CLI::IsMember({1, 4}));
-  app.add_option("--examples", examples, "pixels of each kind to print to stderr");
-  CLI11_PARSE(app, argc, argv);
+  Flags flags("Pixels that are not llvmpipe's, by kind, as a Markdown table: pixels (seen).");
+  flags.option("--workload", &workloads, "by name; all if none is given");
+  flags.option("--samples", &samples, "1, 4", Flags::OneOf{{"1", "4"}});
+  flags.option("--examples", &examples, "pixels of each kind to print to stderr");
+  if (const auto exit = flags.parse(argc, argv)) return *exit;
   if (workloads.empty()) workloads = workload_names();
   LlvmpipePeer::set_threads(2);
   print_head();

@@ -2,7 +2,6 @@
 // in and out, in turn. The tube does all it can do; ffmpeg only resizes.
 #include <malloc.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -15,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/flags/flags.h"
 #include "bench/program.h"
 #include "bench/statistics.h"
 #include "demos/json.h"
@@ -226,19 +226,18 @@ void print_json(const std::vector<Row>& rows, int threads) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Times the raster tube beside ffmpeg's Lanczos upscale of the same frames");
+  Flags flags("Times the raster tube beside ffmpeg's Lanczos upscale of the same frames");
   Options options;
-  app.add_option("--source", options.sources, "WxH of the film")->delimiter(',');
-  app.add_option("--output", options.outputs, "WxH of the pictures")->delimiter(',');
-  app.add_option("--preset", options.presets, "bench-flat, bench-curved, or a display's name")
-      ->delimiter(',');
-  app.add_option("--threads", options.threads, "of both")->check(CLI::Range(1, 256));
-  app.add_option("--pairs", options.pairs, "of timings")->check(CLI::Range(1, 1000));
-  app.add_option("--frames", options.frames, "a timing")->check(CLI::Range(1, 1000));
-  app.add_flag("--planar", options.planar, "ffmpeg resizes yuv444p, which is faster");
-  app.add_flag("--alone", options.alone, "without ffmpeg: to compare builds, or to profile");
-  app.add_flag("--json", options.json, "a list instead of a table");
-  CLI11_PARSE(app, argc, argv);
+  flags.option("--source", &options.sources, "WxH of the film");
+  flags.option("--output", &options.outputs, "WxH of the pictures");
+  flags.option("--preset", &options.presets, "bench-flat, bench-curved, or a display's name");
+  flags.option("--threads", &options.threads, "of both", Flags::Within{1, 256});
+  flags.option("--pairs", &options.pairs, "of timings", Flags::Within{1, 1000});
+  flags.option("--frames", &options.frames, "a timing", Flags::Within{1, 1000});
+  flags.flag("--planar", options.planar, "ffmpeg resizes yuv444p, which is faster");
+  flags.flag("--alone", options.alone, "without ffmpeg: to compare builds, or to profile");
+  flags.flag("--json", options.json, "a list instead of a table");
+  if (const auto exit = flags.parse(argc, argv)) return *exit;
   std::vector<Row> rows;
   for (const std::string& output : options.outputs) {
     for (const std::string& preset : options.presets) {

@@ -1,10 +1,10 @@
 // The Mandelbrot set at 1920x1080, 1000 iterations: SIMD beside the scalar loop on one core,
 // medians of interleaved runs; and deep zoom at 1e-100 on all threads.
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <vector>
 
+#include "bench/flags/flags.h"
 #include "bench/program.h"
 #include "bench/statistics.h"
 #include "engine/fractals/deep_zoom.h"
@@ -31,11 +31,11 @@ std::int64_t simd_sum(const EscapeView& view, Workers& workers) {
 int run(int argc, char** argv) {
   int pairs = 5, height = 1080;
   bool json = false;
-  CLI::App app("Escape-time fractals: SIMD beside the scalar loop, one core; deep zoom.");
-  app.add_option("--pairs", pairs, "timed pairs")->check(CLI::Range(1, 1000));
-  app.add_option("--height", height, "of the picture, 16:9")->check(CLI::Range(9, 4320));
-  app.add_flag("--json", json, "one object of figures instead of the table");
-  CLI11_PARSE(app, argc, argv);
+  Flags flags("Escape-time fractals: SIMD beside the scalar loop, one core; deep zoom.");
+  flags.option("--pairs", &pairs, "timed pairs", Flags::Within{1, 1000});
+  flags.option("--height", &height, "of the picture, 16:9", Flags::Within{9, 4320});
+  flags.flag("--json", json, "one object of figures instead of the table");
+  if (const auto exit = flags.parse(argc, argv)) return *exit;
   EscapeView view;
   view.height = height;
   view.width = height * 16 / 9;

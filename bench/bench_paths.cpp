@@ -1,6 +1,5 @@
 // Anti-aliased lines beside AGG's outline renderer, filled paths beside Cairo: same pictures,
 // interleaved in one process.
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -10,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/flags/flags.h"
 #include "bench/peer_agg.h"
 #include "bench/peer_cairo.h"
 #include "bench/program.h"
@@ -195,21 +195,21 @@ std::string tiger() {
 
 int run_all(int argc, char** argv) {
   Options options;
-  CLI::App app(
+  Flags flags(
       "Anti-aliased lines beside AGG, filled paths beside Cairo (peers on one thread): same "
       "pictures, interleaved, medians.");
-  app.add_option("--threads", options.threads, "threads of ours")->check(CLI::Range(1, 64));
-  app.add_option("--length", options.lengths, "mean lengths of 50,000 lines, pixels; 0 for none")
-      ->check(CLI::Range(0, 100000));
-  app.add_option("--svg", options.svg,
-                 "a drawing whose filled paths are drawn; Inkscape's tiger if none")
-      ->check(CLI::ExistingFile);
-  app.add_option("--scale", options.scale, "of the drawing: 1 makes it 1080 pixels high")
-      ->check(CLI::Range(0.01, 8.0));
-  app.add_option("--pairs", options.pairs, "timed pairs")->check(CLI::Range(1, 1000));
-  app.add_option("--pictures", options.pictures, "folder for both last pictures as PNG");
-  app.add_flag("--json", options.json, "a list of figures instead of the table");
-  CLI11_PARSE(app, argc, argv);
+  flags.option("--threads", &options.threads, "threads of ours", Flags::Within{1, 64});
+  flags.option("--length", &options.lengths, "mean lengths of 50,000 lines, pixels; 0 for none",
+               Flags::Within{0, 100000});
+  flags.option("--svg", &options.svg,
+               "a drawing whose filled paths are drawn; Inkscape's tiger if none",
+               Flags::ExistingFile{});
+  flags.option("--scale", &options.scale, "of the drawing: 1 makes it 1080 pixels high",
+               Flags::Within{0.01, 8.0});
+  flags.option("--pairs", &options.pairs, "timed pairs", Flags::Within{1, 1000});
+  flags.option("--pictures", &options.pictures, "folder for both last pictures as PNG");
+  flags.flag("--json", options.json, "a list of figures instead of the table");
+  if (const auto exit = flags.parse(argc, argv)) return *exit;
   if (!options.json) {
     std::fprintf(stderr, "AGG %s (as pkg-config calls it), Cairo %s\n", KINESCOPE_AGG_VERSION,
                  CairoFills::version().c_str());

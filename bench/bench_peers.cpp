@@ -1,9 +1,9 @@
 // Our rasterizer and its peers on the same pictures, interleaved in one process.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 
 #include "bench/cold.h"
+#include "bench/flags/flags.h"
 #include "bench/peer_llvmpipe.h"
 #include "bench/peer_report.h"
 #include "bench/peer_rows.h"
@@ -24,25 +24,23 @@ struct Options {
   std::string cold_child;
 };
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("--workload", options.workloads,
-                 "workloads by name; cold, depth-10; all if none is given");
-  app.add_option("--model", options.models, "model files, drawn in one colour");
-  app.add_option("--samples", options.samples,
-                 "samples a pixel: 1, 4, 8 (of 8 ours alone: llvmpipe has no more than 4)")
-      ->check(CLI::IsMember({1, 4, 8}));
-  app.add_option("--threads", options.pair.threads, "threads of each")->check(CLI::Range(1, 64));
-  app.add_option("--pairs", options.pair.pairs, "timed pairs of frames")
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--pictures", options.pair.pictures, "folder for both last frames as PNG");
-  CLI::Option* json =
-      app.add_flag("--json", options.json, "a list of figures instead of the table");
-  app.add_flag("--own-cost", options.own_cost,
-               "instead: our 4 samples against our 1, and our 8 against our 4")
-      ->excludes(json);
-  app.add_flag("--scaling", options.scaling, "instead: two threads of ours against one")
-      ->excludes(json);
-  app.add_option("--cold-child", options.cold_child)->group("");
+void add_options(Flags& flags, Options& options) {
+  flags.option("--workload", &options.workloads,
+               "workloads by name; cold, depth-10; all if none is given");
+  flags.option("--model", &options.models, "model files, drawn in one colour");
+  flags.option("--samples", &options.samples,
+               "samples a pixel: 1, 4, 8 (of 8 ours alone: llvmpipe has no more than 4)",
+               Flags::OneOf{{"1", "4", "8"}});
+  flags.option("--threads", &options.pair.threads, "threads of each", Flags::Within{1, 64});
+  flags.option("--pairs", &options.pair.pairs, "timed pairs of frames", Flags::Within{1, 1000});
+  flags.option("--pictures", &options.pair.pictures, "folder for both last frames as PNG");
+  flags.flag("--json", options.json, "a list of figures instead of the table");
+  flags.flag("--own-cost", options.own_cost,
+             "instead: our 4 samples against our 1, and our 8 against our 4");
+  flags.flag("--scaling", options.scaling, "instead: two threads of ours against one");
+  flags.exclude("--own-cost", "--json");
+  flags.exclude("--scaling", "--json");
+  flags.option("--cold-child", &options.cold_child, "", {}, Flags::Need::kHidden);
 }
 
 /// Everything asked for, in its order.
@@ -101,10 +99,10 @@ class Run {
 
 int run_all(int argc, char** argv) {
   Options options;
-  CLI::App app(
+  Flags flags(
       "Kinescope's rasterizer beside Mesa's llvmpipe: same pictures, interleaved, medians.");
-  add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  add_options(flags, options);
+  if (const auto exit = flags.parse(argc, argv)) return *exit;
   LlvmpipePeer::set_threads(options.pair.threads);
   if (!options.cold_child.empty()) {
     run_cold_child(options.pair, options.cold_child, options.samples.front());

@@ -1,6 +1,5 @@
 // The vector beam: vectors of mean length 20 pixels and a spot of deviation 1 pixel onto a picture,
 // the wall time of the whole picture.
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/flags/flags.h"
 #include "bench/program.h"
 #include "bench/statistics.h"
 #include "display/vector/beam_painter.h"
@@ -100,19 +100,19 @@ ListRow measure_list(const Options& o, const std::vector<BeamStroke>& strokes, i
 
 int run(int argc, char** argv) {
   Options o;
-  CLI::App app("Times the vector beam: many strokes onto a dark picture");
-  app.add_option("--width", o.width, "of the picture")->check(CLI::Range(1, 16384));
-  app.add_option("--height", o.height, "of the picture")->check(CLI::Range(1, 16384));
-  app.add_option("--vectors", o.vectors, "a picture")->check(CLI::Range(1, 100000000));
-  app.add_option("--length", o.length, "mean, pixels")->check(CLI::Range(0.0f, 10000.0f));
-  app.add_option("--sigma", o.sigma, "of the spot, pixels")->check(CLI::Range(0.1f, 30.0f));
-  app.add_option("--threads", o.threads, "each a row")->delimiter(',');
-  app.add_option("--planes", o.planes, "drawn on at once; each a row")->delimiter(',');
-  app.add_option("--list", o.list, "vectors of a list that is refreshed; 0: none")
-      ->check(CLI::Range(0, 10000000));
-  app.add_option("--runs", o.runs, "timed")->check(CLI::Range(1, 1000));
-  app.add_flag("--json", o.json, "a list instead of a table");
-  CLI11_PARSE(app, argc, argv);
+  Flags flags("Times the vector beam: many strokes onto a dark picture");
+  flags.option("--width", &o.width, "of the picture", Flags::Within{1, 16384});
+  flags.option("--height", &o.height, "of the picture", Flags::Within{1, 16384});
+  flags.option("--vectors", &o.vectors, "a picture", Flags::Within{1, 100000000});
+  flags.option("--length", &o.length, "mean, pixels", Flags::Within{0.0, 10000.0});
+  flags.option("--sigma", &o.sigma, "of the spot, pixels", Flags::Within{0.1, 30.0});
+  flags.option("--threads", &o.threads, "each a row");
+  flags.option("--planes", &o.planes, "drawn on at once; each a row");
+  flags.option("--list", &o.list, "vectors of a list that is refreshed; 0: none",
+               Flags::Within{0, 10000000});
+  flags.option("--runs", &o.runs, "timed", Flags::Within{1, 1000});
+  flags.flag("--json", o.json, "a list instead of a table");
+  if (const auto exit = flags.parse(argc, argv)) return *exit;
   const std::vector<BeamStroke> strokes = random_strokes(o);
   std::vector<Row> rows;
   for (const int planes : o.planes) {

@@ -2,11 +2,11 @@
 // exactness_run --triangles 100000000 is the long run; the tests run a million.
 #include <fmt/format.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cstdio>
 
+#include "bench/flags/flags.h"
 #include "tests/exactness/families.h"
 #include "tests/exactness/near_eye.h"
 
@@ -67,10 +67,11 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   kinescope::exactness::Options options;
-  CLI::App app("Coverage of random triangles at 1, 4 and 8 samples against an independent oracle.");
-  app.add_option("--triangles", options.triangles, "how many, at least");
-  app.add_option("--seed", options.seed, "where the random numbers begin");
-  app.add_option("--minutes", options.minutes, "stop after this long; 0: never");
-  CLI11_PARSE(app, argc, argv);
+  kinescope::Flags flags(
+      "Coverage of random triangles at 1, 4 and 8 samples against an independent oracle.");
+  flags.option("--triangles", &options.triangles, "how many, at least");
+  flags.option("--seed", &options.seed, "where the random numbers begin");
+  flags.option("--minutes", &options.minutes, "stop after this long; 0: never");
+  if (const auto exit = flags.parse(argc, argv)) return *exit;
   return kinescope::exactness::run(options);
 }

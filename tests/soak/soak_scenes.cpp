@@ -1,11 +1,11 @@
 // Random frames for as long as asked: each drawn by the fast path in several ways and by the
 // reference. Ends with exit code 1 at the first that disagrees, and says how to draw it again.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cstdio>
 
+#include "bench/flags/flags.h"
 #include "raster/base/error.h"
 #include "tests/soak/random_frame.h"
 
@@ -42,10 +42,10 @@ int run(double minutes, std::uint64_t seed, std::uint64_t frames) {
 int main(int argc, char** argv) {
   double minutes = 1;
   std::uint64_t seed = 1, frames = ~std::uint64_t{0};
-  CLI::App app("Random scenes against the reference rasterizer, and against themselves.");
-  app.add_option("--minutes", minutes, "how long");
-  app.add_option("--seed", seed, "of the first frame; each takes the next");
-  app.add_option("--frames", frames, "how many at most");
-  CLI11_PARSE(app, argc, argv);
+  kinescope::Flags flags("Random scenes against the reference rasterizer, and against themselves.");
+  flags.option("--minutes", &minutes, "how long");
+  flags.option("--seed", &seed, "of the first frame; each takes the next");
+  flags.option("--frames", &frames, "how many at most");
+  if (const auto exit = flags.parse(argc, argv)) return *exit;
   return kinescope::soak::run(minutes, seed, frames);
 }
