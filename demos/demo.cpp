@@ -7,6 +7,10 @@ namespace kinescope {
 Demo::Demo(const DemoSetup& setup, std::vector<Knob> knobs)
     : studio_(setup.studio), width_(setup.width), height_(setup.height), knobs_(std::move(knobs)) {}
 
+Demo::Demo(const Demo&) = default;
+Demo& Demo::operator=(const Demo&) = default;
+Demo::~Demo() = default;
+
 void Demo::step(const Step& step, Image<Srgb8>& picture) {
   Step left{step.exposure, {}};
   for (const InputEvent& event : step.events) {

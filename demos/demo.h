@@ -33,7 +33,7 @@ struct DemoSetup {
 /// Copies (clones) are snapshots: all state lies in the object, shared parts never change.
 class Demo {
  public:
-  virtual ~Demo() = default;
+  virtual ~Demo();
   virtual std::unique_ptr<Demo> clone() const = 0;
   /// Memory that a clone costs, bytes, for the player's budget.
   virtual std::size_t state_bytes() const = 0;
@@ -56,8 +56,8 @@ class Demo {
 
  protected:
   Demo(const DemoSetup& setup, std::vector<Knob> knobs);
-  Demo(const Demo&) = default;
-  Demo& operator=(const Demo&) = default;
+  Demo(const Demo&);
+  Demo& operator=(const Demo&);
 
   /// Moves the world by the exposure's length and answers events that turned no knob.
   virtual void update(const Step& step) = 0;

@@ -15,6 +15,13 @@ int steps_between(const Knob& knob, double from, double to) {
 
 }  // namespace
 
+Knob::Knob() = default;
+Knob::Knob(const Knob&) = default;
+Knob::Knob(Knob&&) noexcept = default;
+Knob& Knob::operator=(const Knob&) = default;
+Knob& Knob::operator=(Knob&&) noexcept = default;
+Knob::~Knob() = default;
+
 std::string Knob::text() const {
   switch (kind) {
     case KnobKind::kToggle:
@@ -116,3 +123,5 @@ Knob scale_knob(std::string name, std::string down, std::string up,
 }
 
 }  // namespace kinescope
+
+template class std::vector<kinescope::Knob>;

@@ -23,6 +23,14 @@ struct Knob {
   double minimum = 0, maximum = 1, step = 1;  ///< of a number; one with choices shows their names
   std::string unit;                           ///< of a number, empty if it has none
 
+  Knob();
+  // In knob.cpp: every demo would compile them again.
+  Knob(const Knob&);
+  Knob(Knob&&) noexcept;
+  Knob& operator=(const Knob&);
+  Knob& operator=(Knob&&) noexcept;
+  ~Knob();
+
   bool on() const { return value != 0; }
   int index() const { return static_cast<int>(value); }
   /// The value in words: "on", "Phong", "3 px".
@@ -43,3 +51,5 @@ Knob scale_knob(std::string name, std::string down, std::string up,
                 std::vector<std::string> choices, int index, std::string help);
 
 }  // namespace kinescope
+
+extern template class std::vector<kinescope::Knob>;

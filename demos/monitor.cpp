@@ -46,6 +46,12 @@ Monitor::Monitor(const TubeSettings& settings, PixelFormat format, const Rect& r
       tube_(settings, static_cast<int>(face_.width), static_cast<int>(face_.height)),
       sum_(std::make_shared<Image<LinearRgb>>()) {}
 
+Monitor::Monitor(const Monitor&) = default;
+Monitor::Monitor(Monitor&&) noexcept = default;
+Monitor& Monitor::operator=(const Monitor&) = default;
+Monitor& Monitor::operator=(Monitor&&) noexcept = default;
+Monitor::~Monitor() = default;
+
 void Monitor::resize(const Rect& room) {
   face_ = fitted(room);
   tube_.resize(static_cast<int>(face_.width), static_cast<int>(face_.height));

@@ -22,6 +22,12 @@ class Monitor {
   /// The tube fills the largest part of `room` (pixels of the picture, within it) that has its own
   /// shape, at least a pixel.
   Monitor(const TubeSettings& settings, PixelFormat format, const Rect& room);
+  // In monitor.cpp: every demo would compile them again.
+  Monitor(const Monitor&);
+  Monitor(Monitor&&) noexcept;
+  Monitor& operator=(const Monitor&);
+  Monitor& operator=(Monitor&&) noexcept;
+  ~Monitor();
 
   FrameBuffer& buffer() { return buffer_; }
   const RasterScan& scan() const { return tube_.scan(); }

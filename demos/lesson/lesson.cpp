@@ -38,6 +38,9 @@ int whole(double value, const std::string& label) {
 
 }  // namespace
 
+Lesson::Lesson(const Lesson&) = default;
+Lesson::~Lesson() = default;
+
 Lesson::Lesson(const DemoSetup& setup, LessonPlan plan, std::vector<Knob> own)
     : Demo(setup, with_lesson_knobs(own, plan)),
       plan_(std::move(plan)),

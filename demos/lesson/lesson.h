@@ -59,6 +59,7 @@ class Lesson : public Demo {
  public:
   static constexpr std::array kCells = {32, 20, 16, 10, 8, 5, 4, 2};
 
+  ~Lesson() override;
   bool typing() const override { return focus_ != kNoField; }
   Rate refresh() const override { return screen_.refresh(); }
   std::size_t state_bytes() const override { return screen_.state_bytes() + kOwnBytes; }
@@ -78,6 +79,8 @@ class Lesson : public Demo {
  protected:
   /// @param own the demo's knobs, numbered as given; the lesson's come behind them
   Lesson(const DemoSetup& setup, LessonPlan plan, std::vector<Knob> own);
+  Lesson(const Lesson&);
+  Lesson& operator=(const Lesson&) = delete;
 
   /// Runs the algorithm. Called when the input, a knob or the world changed. An Error that it
   /// throws is shown in the panel.

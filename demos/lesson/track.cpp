@@ -25,6 +25,15 @@ void lay(Srgb8& below, Srgb8 colour) {
 
 }  // namespace
 
+Track::Track(std::string name, std::vector<std::string> columns, int pane, Srgb8 ink)
+    : name_(std::move(name)), columns_(std::move(columns)), pane_(pane), ink_(ink) {}
+
+Track::Track(const Track&) = default;
+Track::Track(Track&&) noexcept = default;
+Track& Track::operator=(const Track&) = default;
+Track& Track::operator=(Track&&) noexcept = default;
+Track::~Track() = default;
+
 void Track::plot(int x, int y, Srgb8 colour, float weight) {
   if (marks_.size() == kMostMarks) throw_bad_input("more than 2000000 pixels: draw less");
   const float alpha = std::clamp(weight, 0.0f, 1.0f) * static_cast<float>(colour.a);

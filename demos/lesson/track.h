@@ -23,8 +23,13 @@ class Track {
   static constexpr std::size_t kMostSteps = 200'000, kMostMarks = 2'000'000;
 
   /// @param columns names of the state's numbers
-  Track(std::string name, std::vector<std::string> columns, int pane = 0, Srgb8 ink = theme::kText)
-      : name_(std::move(name)), columns_(std::move(columns)), pane_(pane), ink_(ink) {}
+  Track(std::string name, std::vector<std::string> columns, int pane = 0, Srgb8 ink = theme::kText);
+  // In track.cpp: every lesson would compile them again.
+  Track(const Track&);
+  Track(Track&&) noexcept;
+  Track& operator=(const Track&);
+  Track& operator=(Track&&) noexcept;
+  ~Track();
 
   /// A sink: pixels, weighted ones and runs belong to the step that comes next.
   void operator()(int x, int y, float weight = 1) { plot(x, y, ink_, weight); }
