@@ -7,14 +7,6 @@
 #include "tests/demos/program_run.h"
 
 // A sanitizer needs address space, and keeps memory, of its own.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define KINESCOPE_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define KINESCOPE_SANITIZED
-#endif
-#endif
-
 #ifndef KINESCOPE_SANITIZED
 
 namespace kinescope::test {

@@ -247,7 +247,7 @@ TEST_F(ProgramRender, WithoutADisplayOrANamePicturesGoToOut) {
 }
 
 // A sanitizer would count its own memory, and take minutes over a quarter of a billion pixels.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef KINESCOPE_SANITIZED
 TEST_F(ProgramRender, GreatestPictureWithinBoundedMemory) {
   const RunResult result = run_kinescope({"render", "model.obj", "--display", "none", "--size",
                                           "16384x16384", "--aa", "1", "--json", "--headless"},

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <thread>
 
+#include "tests/sanitized.h"
 #include "window_testing.h"
 
 namespace kinescope {
@@ -60,9 +61,7 @@ TEST_F(Window, EscapeLeavesFullScreenFirst) {
 }
 
 TEST_F(Window, HoldsTheTeapotInLittleMemory) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "a sanitizer's own memory would be counted";
-#endif
+  if (kSanitized) GTEST_SKIP() << "a sanitizer's own memory would be counted";
   display_.emplace(1280, 960);
   start({"demo", "teapot"}, "1280x960");
   ASSERT_TRUE(shown());

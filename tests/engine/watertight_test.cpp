@@ -12,6 +12,7 @@
 #include "raster/rasterizer.h"
 #include "raster/reference_rasterizer.h"
 #include "tests/raster/optional_data.h"
+#include "tests/sanitized.h"
 
 namespace kinescope {
 namespace {
@@ -19,11 +20,7 @@ namespace {
 constexpr int kWidth = 64, kHeight = 48;
 constexpr float kPi = std::numbers::pi_v<float>;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kOneByOne = false;  // a hundred thousand frames
-#else
-constexpr bool kOneByOne = true;
-#endif
+constexpr bool kOneByOne = !kSanitized;  // a hundred thousand frames
 
 /// A grid of vertices closed in both directions, as a torus is.
 Mesh torus_grid(int along, int around, glm::vec3 (*place)(float u, float v)) {

@@ -13,6 +13,7 @@
 #include "raster/base/error.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/triangle_soup.h"
+#include "tests/sanitized.h"
 
 namespace kinescope {
 namespace {
@@ -20,11 +21,7 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t kScale = 16;
-#else
-constexpr std::uint64_t kScale = 1;
-#endif
+constexpr std::uint64_t kScale = kSanitized ? 16 : 1;
 
 void show_attribute(const Batch& b, LinearRgba* out) {
   for (int i = 0; i < b.size; ++i) out[i] = {b.attribute[0][i], 0.5f, 0, 1};
@@ -186,7 +183,7 @@ TEST(BadInput, SixtyFiveThousandCallsOfOneTriangle) {
   }
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef KINESCOPE_SANITIZED
 TEST(BadInput, AFrameThatMemoryCannotHoldEndsInOneLine) {
   const auto draw_with_little_memory = [] {
     RandomTriangles random(1);

@@ -11,17 +11,14 @@
 #include "tests/exactness/coverage_oracle.h"
 #include "tests/exactness/families.h"
 #include "tests/raster/triangle_soup.h"
+#include "tests/sanitized.h"
 
 namespace kinescope {
 namespace {
 
 using exactness::CoverageOracle, exactness::Family, exactness::sample_point;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kScale = 16;
-#else
-constexpr int kScale = 1;
-#endif
+constexpr int kScale = kSanitized ? 16 : 1;
 
 CoverageOracle oracle(const TriangleSoup& soup, std::size_t triangle) {
   std::array<exactness::Point, 3> out{};

@@ -54,7 +54,7 @@ TEST(RenderTarget, RefusesSizesThatNoMemoryHolds) {
   EXPECT_THROW(RenderTarget(10, 10, 3), Error);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef KINESCOPE_SANITIZED
 TEST(RenderTarget, SaysSoWhenMemoryCannotBeHad) {
   const auto draw_with_little_memory = [] {
     rlimit limit{};
