@@ -40,8 +40,10 @@ DemoInfo mandelbrot_demo();
 DemoInfo bezier_demo();
 DemoInfo b_splines_demo();
 DemoInfo line_clipping_demo();
+DemoInfo polygon_clipping_demo();
 DemoInfo projections_demo();
 DemoInfo transformations_demo();
+DemoInfo transformations_3d_demo();
 DemoInfo practical_7_demo();
 DemoInfo practical_9_demo();
 DemoInfo practical_10_demo();
@@ -90,8 +92,10 @@ std::span<const DemoInfo> all_demos() {
                                     bezier_demo(),
                                     b_splines_demo(),
                                     line_clipping_demo(),
+                                    polygon_clipping_demo(),
                                     projections_demo(),
                                     transformations_demo(),
+                                    transformations_3d_demo(),
                                     practical_7_demo(),
                                     practical_9_demo(),
                                     practical_10_demo()};

@@ -157,32 +157,49 @@ void Lesson::draw_side() {
   sheet_ = std::move(sheet);
 }
 
-/// Guides, handles, the pixels of the last step, and the line below the picture.
-void Lesson::draw_over(Canvas& canvas) const {
-  const World world = this->world();
+/// A pane's guides and words, and the handles that may be dragged in it.
+void Lesson::draw_pane(Canvas& canvas, const World& world, int pane, const Overlay& over) const {
   const float scale = theme::scale_for(height());
-  const float pixel = screen_.face().width * static_cast<float>(world.cell) / World::kScreenWidth;
-  canvas.set_clip(screen_.face());
-  const int panes = world.panes.x * world.panes.y;
-  for (int pane = 0; pane < panes; ++pane) {
-    const auto place = [&](glm::dvec2 at) { return screen_.place(world, {pane, at}); };
-    for (const Guide& guide : course_->guides) {
+  const auto place = [&](glm::dvec2 at) { return screen_.place(world, {pane, at}); };
+  const glm::vec2 corner = place({0, 0});
+  const glm::vec2 size =
+      glm::vec2(screen_.face().width, screen_.face().height) / glm::vec2(world.panes);
+  canvas.set_clip({corner.x, corner.y, size.x, size.y});
+  for (const std::vector<Guide>* guides : {&course_->guides, &over.guides}) {
+    for (const Guide& guide : *guides) {
       if (guide.pane >= 0 && guide.pane != pane) continue;
       canvas.line(place(guide.from), place(guide.to), 1.5f * scale, guide.colour);
     }
-    for (const Handle& handle : plan_.handles) {
-      const glm::vec2 at = place(handle.at + 0.5);
-      canvas.disc(at, 7 * scale, theme::with_alpha(theme::kAccent, 150));
-      canvas.disc(at, 3 * scale, theme::kAccentDark);
-    }
-    const glm::vec2 corner = place({0, 0});
-    if (pane % world.panes.x) {
-      canvas.line(corner, {corner.x, screen_.face().bottom()}, 2 * scale, theme::kDim);
-    }
-    if (pane >= world.panes.x) {
-      canvas.line(corner, {screen_.face().right(), corner.y}, 2 * scale, theme::kDim);
-    }
   }
+  for (const Label& label : over.labels) {
+    if (label.pane != pane) continue;
+    const float size = theme::kSmall * scale;
+    const float half = studio().sans.width_px(label.words, size) / 2 + 3 * scale;
+    const glm::vec2 at = place(label.at);
+    canvas.fill({at.x - half, at.y - size * 0.6f, 2 * half, size * 1.2f},
+                theme::with_alpha(theme::kBackground, 200), 3 * scale);
+    canvas.text(studio().sans, at + glm::vec2(0, size * 0.36f), label.words, size, label.colour,
+                Align::kCentre);
+  }
+  for (const Handle& handle : plan_.handles) {
+    if (handle.pane >= 0 && handle.pane != pane) continue;
+    const glm::vec2 at = place(handle.at + 0.5);
+    canvas.disc(at, 7 * scale, theme::with_alpha(theme::kAccent, 150));
+    canvas.disc(at, 3 * scale, theme::kAccentDark);
+  }
+  canvas.set_clip(screen_.face());
+  if (pane % world.panes.x) {
+    canvas.line(corner, {corner.x, screen_.face().bottom()}, 2 * scale, theme::kDim);
+  }
+  if (pane >= world.panes.x) {
+    canvas.line(corner, {screen_.face().right(), corner.y}, 2 * scale, theme::kDim);
+  }
+}
+
+/// The pixels of the last step, each in a frame, and the tracks' names where there are several.
+void Lesson::draw_marks(Canvas& canvas, const World& world) const {
+  const float scale = theme::scale_for(height());
+  const float pixel = screen_.face().width * static_cast<float>(world.cell) / World::kScreenWidth;
   for (const Track& track : course_->tracks) {
     const std::size_t now = playback_.shown();
     if (now == 0 || now > track.steps()) continue;
@@ -193,12 +210,24 @@ void Lesson::draw_over(Canvas& canvas) const {
     }
   }
   for (const Track& track : course_->tracks) {
-    if (panes == 1) break;
+    if (world.panes == glm::ivec2(1)) break;
     const glm::vec2 at = screen_.place(world, {track.pane(), {0, 0}});
     canvas.text(studio().sans, at + glm::vec2(6, 17) * scale, track.name(), theme::kSmall * scale,
                 theme::kCool);
   }
+}
+
+/// What lies over the picture, and the line below it.
+void Lesson::draw_over(Canvas& canvas) const {
+  const World world = this->world();
+  const Overlay over = course_->overlay ? course_->overlay(playback_.shown()) : Overlay{};
+  canvas.set_clip(screen_.face());
+  for (int pane = 0; pane < world.panes.x * world.panes.y; ++pane) {
+    draw_pane(canvas, world, pane, over);
+  }
+  draw_marks(canvas, world);
   canvas.clear_clip();
+  const float scale = theme::scale_for(height());
   const float left = theme::kMargin * scale, size = theme::kBody * scale;
   float y = static_cast<float>(height()) - (kHintRoom - 20) * scale;
   for (const std::string& line : wrap(studio().sans, plan_.look_for, size, side().x - 2 * left)) {
