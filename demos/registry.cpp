@@ -41,6 +41,7 @@ DemoInfo bezier_demo();
 DemoInfo b_splines_demo();
 DemoInfo line_clipping_demo();
 DemoInfo polygon_clipping_demo();
+DemoInfo viewing_steps_demo();
 DemoInfo projections_demo();
 DemoInfo transformations_demo();
 DemoInfo transformations_3d_demo();
@@ -93,6 +94,7 @@ std::span<const DemoInfo> all_demos() {
                                     b_splines_demo(),
                                     line_clipping_demo(),
                                     polygon_clipping_demo(),
+                                    viewing_steps_demo(),
                                     projections_demo(),
                                     transformations_demo(),
                                     transformations_3d_demo(),

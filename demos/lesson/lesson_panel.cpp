@@ -162,9 +162,9 @@ void Lesson::draw_pane(Canvas& canvas, const World& world, int pane, const Overl
   const float scale = theme::scale_for(height());
   const auto place = [&](glm::dvec2 at) { return screen_.place(world, {pane, at}); };
   const glm::vec2 corner = place({0, 0});
-  const glm::vec2 size =
+  const glm::vec2 room =
       glm::vec2(screen_.face().width, screen_.face().height) / glm::vec2(world.panes);
-  canvas.set_clip({corner.x, corner.y, size.x, size.y});
+  canvas.set_clip({corner.x, corner.y, room.x, room.y});
   for (const std::vector<Guide>* guides : {&course_->guides, &over.guides}) {
     for (const Guide& guide : *guides) {
       if (guide.pane >= 0 && guide.pane != pane) continue;
