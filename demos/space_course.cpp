@@ -11,19 +11,24 @@ namespace kinescope {
 namespace {
 
 Track track_of(const SpaceCourse& space, int pane, const std::string& name) {
-  Track track(name, {"matrix", "x", "y", "z"}, pane);
+  Track track(name,
+              space.flat ? std::vector<std::string>{"matrix", "x", "y"}
+                         : std::vector<std::string>{"matrix", "x", "y", "z"},
+              pane);
   const auto step = [&](std::size_t shown, std::string note) {
     const glm::dvec3 p = apply(matrix_at(space, shown), space.figure.points[space.traced]);
     const double number = double(shown) / space.smooth;
-    track.step({number, p.x, p.y, p.z}, std::move(note));
+    track.step(space.flat ? std::vector{number, p.x, p.y} : std::vector{number, p.x, p.y, p.z},
+               std::move(note));
   };
+  const auto lines = space.flat ? plane_matrix_lines : matrix_lines;
   glm::dmat4 product(1.0);
   std::size_t shown = 0;
   std::string last;
   for (std::size_t k = 0; k < space.steps.size(); ++k) {
     product = space.steps[k].matrix * product;
     last = fmt::format("{} of {}: {}\n", k + 1, space.steps.size(), space.steps[k].name) +
-           matrix_lines(space.steps[k].matrix) + "product so far\n" + matrix_lines(product);
+           lines(space.steps[k].matrix) + "product so far\n" + lines(product);
     for (int i = 0; i < space.smooth; ++i) {
       const bool end = k + 1 == space.steps.size() && i + 1 == space.smooth;
       if (end) ink_wire(track, space.view, space.figure, product, theme::kText);
@@ -60,7 +65,7 @@ void show(SpaceCourse space, Course& course, int pane, std::string name) {
   };
   course.overlay = [shared, pane, before = std::move(course.overlay)](std::size_t shown) {
     Overlay over = before ? before(shown) : Overlay{};
-    shared->view.add_axes(over, 2.5, pane);
+    shared->view.add_axes(over, 2.5, pane, shared->flat ? 2 : 3);
     const glm::dmat4 matrix = matrix_at(*shared, shown);
     for (const auto& [a, b] : shared->carried.edges) {
       shared->view.add_line(over, apply(matrix, shared->carried.points[a]),

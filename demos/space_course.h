@@ -14,7 +14,8 @@ struct SpaceCourse {
   int smooth = 1;  ///< pictures a matrix
   Wire figure = wire_house();
   std::size_t traced = 3;  ///< the point whose coordinates are told
-  Wire carried{};            ///< an axis, or a plane: goes the same way, drawn as guides
+  bool flat = false;       ///< in the plane z = 0: told as two-dimensional
+  Wire carried{};          ///< an axis, or a plane: goes the same way, drawn as guides
 };
 
 /// The matrix of a part of the way: whole steps, and a share of the next.

@@ -131,7 +131,7 @@ SpacePane ViewingCourse::pane(const Place& at, const World& world) const {
   };
   for (const glm::dvec3& corner : volume(at)) hold(corner);
   if (at.stage < kDivision) hold(eye(at));
-  return {world, from_, 0.5 * (low + high), 0.45 * glm::distance(low, high)};
+  return {world, from_, 0.5 * (low + high), 0.5 * glm::distance(low, high)};
 }
 
 void ViewingCourse::paint(std::size_t shown, const World& world, int which,
@@ -140,7 +140,7 @@ void ViewingCourse::paint(std::size_t shown, const World& world, int which,
   const Place at = place(shown);
   if (which == 1) {
     if (at.stage <= kViewport) return;
-    for (const Segment2& line : picture()) ink_line(ink, world, line.from, line.to);
+    for (const PictureLine& l : picture()) ink_line(ink, world, l.line.from, l.line.to, l.ink);
     return;
   }
   const SpacePane view = pane(at, world);
@@ -162,12 +162,13 @@ void ViewingCourse::paint(std::size_t shown, const World& world, int which,
   for (const Line& line : clipped(planes)) draw(box * line.from, box * line.to, line.ink);
 }
 
-std::vector<Segment2> ViewingCourse::picture() const {
+std::vector<ViewingCourse::PictureLine> ViewingCourse::picture() const {
   const glm::dmat3 screen = viewport_from_window({{-1, -1}, {1, 1}}, viewport_);
-  std::vector<Segment2> lines;
+  std::vector<PictureLine> lines;
   for (const Line& line : clipped(6)) {
     const glm::dvec4 a = clip_from_canonical_ * line.from, b = clip_from_canonical_ * line.to;
-    lines.push_back({apply(screen, glm::dvec2(a) / a.w), apply(screen, glm::dvec2(b) / b.w)});
+    lines.push_back(
+        {{apply(screen, glm::dvec2(a) / a.w), apply(screen, glm::dvec2(b) / b.w)}, line.ink});
   }
   return lines;
 }

@@ -36,8 +36,11 @@ class ViewingCourse {
   /// A corner of the first house, homogeneous.
   glm::dvec4 traced(std::size_t shown) const;
   std::string note(std::size_t shown) const;
-  /// The picture's lines, pixels of pane 1.
-  std::vector<Segment2> picture() const;
+  struct PictureLine {
+    Segment2 line;  ///< pixels of pane 1
+    Srgb8 ink;
+  };
+  std::vector<PictureLine> picture() const;
 
  private:
   struct Line {

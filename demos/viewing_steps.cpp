@@ -24,7 +24,7 @@ class ViewingSteps : public ClonableDemo<ViewingSteps, SpaceLesson> {
              .figures = {{"up angle", 0, -180, 180, 5},
                          {"distance", 2, 0.5, 6, 0.25},
                          {"width", 2, 0.5, 6, 0.25},
-                         {"aside", 0, -3, 3, 0.25}},
+                         {"aside", 0.5, -3, 3, 0.25}},
              .resolution = 7,
              .speed = 2},
             {choice_knob("projection", {"1", "2"}, {"perspective", "parallel"}, 0,

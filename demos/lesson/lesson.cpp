@@ -133,12 +133,13 @@ void Lesson::update(const Step& step) {
       follow_world();  // a menu may have changed the panes
     }
   }
+  const bool held = held_ != kNoHandle || holds();
   if (anew || edited) {
-    run_anew(edited && held_ != kNoHandle ? Begin::kLast : Begin::kFirst);
+    run_anew(edited && held ? Begin::kLast : Begin::kFirst);
   } else if (viewed) {
     run_anew(Begin::kStay);
   }
-  if (knob(own_knobs_ + kRunning).on() && held_ == kNoHandle) {
+  if (knob(own_knobs_ + kRunning).on() && !held) {
     if (plan_.loops && playback_.shown() == steps()) playback_.go_to(0);
     stale_ |=
         playback_.pass(step.exposure.length().count(), knob(own_knobs_ + kSpeed).index(), steps());

@@ -109,6 +109,9 @@ class Lesson : public Demo {
   /// the input
   virtual bool answer(const InputEvent&, LessonScreen::Spot /*at*/) { return false; }
 
+  /// Whether the demo's own hand holds something: while it does, the course stands at its end.
+  virtual bool holds() const { return false; }
+
   std::vector<Handle>& handles() { return plan_.handles; }
   glm::ivec2 pixel(int handle) const;  ///< @throws Error (bad input) if it cannot be one
   /// A handle as a corner of a polygon: the middle of its pixel.

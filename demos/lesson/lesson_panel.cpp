@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include "demos/lesson/lesson.h"
@@ -209,11 +210,13 @@ void Lesson::draw_marks(Canvas& canvas, const World& world) const {
       canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
     }
   }
+  std::map<int, int> named;  // lines of names in each pane
   for (const Track& track : course_->tracks) {
     if (world.panes == glm::ivec2(1)) break;
     const glm::vec2 at = screen_.place(world, {track.pane(), {0, 0}});
-    canvas.text(studio().sans, at + glm::vec2(6, 17) * scale, track.name(), theme::kSmall * scale,
-                theme::kCool);
+    const int line = named[track.pane()]++;
+    canvas.text(studio().sans, at + glm::vec2(6, 17 * (line + 1)) * scale, track.name(),
+                theme::kSmall * scale, theme::kCool);
   }
 }
 

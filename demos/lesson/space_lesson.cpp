@@ -72,9 +72,9 @@ void SpacePane::add_label(Overlay& over, const glm::dvec3& at, std::string words
   over.labels.push_back({place(at), std::move(words), colour, pane});
 }
 
-void SpacePane::add_axes(Overlay& over, double length, int pane) const {
+void SpacePane::add_axes(Overlay& over, double length, int pane, int axes) const {
   constexpr std::array kInks = {theme::kRed, theme::kGreen, theme::kBlue};
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < axes; ++i) {
     glm::dvec3 tip(0.0);
     tip[i] = length;
     const Srgb8 ink = kInks[static_cast<std::size_t>(i)];
@@ -83,17 +83,42 @@ void SpacePane::add_axes(Overlay& over, double length, int pane) const {
   }
 }
 
-std::string matrix_lines(const glm::dmat4& matrix) {
+namespace {
+
+std::string lines_of(const glm::dmat4& matrix, std::span<const int> kept) {
   std::string text;
-  for (int row = 0; row < 4; ++row) {
+  for (const int row : kept) {
     text += '[';
     // Adding 0 turns a negative zero into 0.
-    for (int column = 0; column < 4; ++column) {
+    for (const int column : kept) {
       text += fmt::format("{:8.3f}", std::round(matrix[column][row] * 1000) / 1000 + 0.0);
     }
     text += " ]\n";
   }
   return text;
+}
+
+}  // namespace
+
+std::string matrix_lines(const glm::dmat4& matrix) {
+  constexpr std::array kAll = {0, 1, 2, 3};
+  return lines_of(matrix, kAll);
+}
+
+std::string plane_matrix_lines(const glm::dmat4& matrix) {
+  constexpr std::array kPlane = {0, 1, 3};
+  return lines_of(matrix, kPlane);
+}
+
+glm::dmat4 in_space(const glm::dmat3& matrix) {
+  glm::dmat4 space(1.0);
+  constexpr std::array kPlane = {0, 1, 3};
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      space[kPlane[std::size_t(column)]][kPlane[std::size_t(row)]] = matrix[column][row];
+    }
+  }
+  return space;
 }
 
 SpaceLesson::SpaceLesson(const DemoSetup& setup, LessonPlan plan, std::vector<Knob> own, int pane,

@@ -33,7 +33,7 @@ struct SpacePane {
   double reach = 4;        ///< from there to the nearer border
 
   glm::dvec2 place(const glm::dvec3& p) const;
-  void add_axes(Overlay& over, double length, int pane) const;
+  void add_axes(Overlay& over, double length, int pane, int axes = 3) const;
   void add_line(Overlay& over, const glm::dvec3& from, const glm::dvec3& to, Srgb8 colour,
                 int pane) const;
   void add_label(Overlay& over, const glm::dvec3& at, std::string words, Srgb8 colour,
@@ -51,6 +51,10 @@ void ink_wire(Ink& ink, const SpacePane& view, const Wire& wire, const glm::dmat
 
 /// Four lines of a note.
 std::string matrix_lines(const glm::dmat4& matrix);
+/// Three lines: without z.
+std::string plane_matrix_lines(const glm::dmat4& matrix);
+/// A matrix of the plane as one of space, z left as it is.
+glm::dmat4 in_space(const glm::dmat3& matrix);
 
 class SpaceLesson : public Lesson {
  protected:
