@@ -36,7 +36,7 @@ class Practical11 : public ClonableDemo<Practical11, Lesson> {
              choice_knob("tick", {"k"}, {"1 s", "1 min", "10 min"}, 0, "how long a step is")}) {}
 
  private:
-  bool holds() const override { return held_; }
+  bool dragging() const override { return held_; }
   bool answer(const InputEvent& event, LessonScreen::Spot at) override {
     if (event.kind == InputKind::kMouseDown) held_ = event.button == MouseButton::kLeft;
     if (event.kind == InputKind::kMouseUp && std::exchange(held_, false)) return true;

@@ -29,7 +29,7 @@ class Practical6 : public ClonableDemo<Practical6, Lesson> {
                          "which shear acts first")}) {}
 
  private:
-  bool holds() const override { return held_.has_value(); }
+  bool dragging() const override { return held_.has_value(); }
   bool answer(const InputEvent& event, LessonScreen::Spot at) override {
     if (event.kind == InputKind::kMouseDown && event.button == MouseButton::kLeft) {
       held_ = at.at;

@@ -133,7 +133,7 @@ void Lesson::update(const Step& step) {
       follow_world();  // a menu may have changed the panes
     }
   }
-  const bool held = held_ != kNoHandle || holds();
+  const bool held = held_ != kNoHandle || dragging();
   if (anew || edited) {
     run_anew(edited && held ? Begin::kLast : Begin::kFirst);
   } else if (viewed) {

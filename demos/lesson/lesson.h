@@ -110,7 +110,7 @@ class Lesson : public Demo {
   virtual bool answer(const InputEvent&, LessonScreen::Spot /*at*/) { return false; }
 
   /// Whether the demo's own hand holds something: while it does, the course stands at its end.
-  virtual bool holds() const { return false; }
+  virtual bool dragging() const { return false; }
 
   std::vector<Handle>& handles() { return plan_.handles; }
   glm::ivec2 pixel(int handle) const;  ///< @throws Error (bad input) if it cannot be one
