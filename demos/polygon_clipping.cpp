@@ -95,8 +95,9 @@ class PolygonClipping : public ClonableDemo<PolygonClipping, Lesson> {
     course.tracks.push_back(hodgman_track(*four, world(), 0));
     course.tracks.push_back(atherton_track(*followed, world(), 1));
     course.compare = !four->steps.empty() && !followed->steps.empty();
-    course.remarks.push_back(fmt::format("{} pieces beside {} polygon of {} corners",
-                                         followed->pieces.size(), four->polygon.empty() ? 0 : 1,
+    const std::size_t pieces = followed->pieces.size();
+    course.remarks.push_back(fmt::format("{} piece{} beside {} polygon of {} corners", pieces,
+                                         pieces == 1 ? "" : "s", four->polygon.empty() ? 0 : 1,
                                          four->polygon.size()));
     const World pane = world();
     course.painter = [four, followed, pane](std::size_t shown, int which, Image<Srgb8>& paper) {

@@ -28,7 +28,9 @@ class Practical11 : public ClonableDemo<Practical11, Lesson> {
             setup,
             {.look_for = "Each step is a moment later: every hand's angle, the sun's place and the "
                          "sky's colour follow from the time alone. Arrows or a drag set the clock.",
-             .figures = {{"hour", 10, 0, 23, 1}, {"minute", 8, 0, 59, 1}, {"noon", 60, 5, 90, 5}},
+             .figures = {{"hour", 10, 0, 23, 1, false},
+                         {"minute", 8, 0, 59, 1, false},
+                         {"noon", 60, 5, 90, 5}},
              .resolution = 7,
              .speed = 4,
              .loops = true},

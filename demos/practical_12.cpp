@@ -92,7 +92,7 @@ class Practical12 : public ClonableDemo<Practical12, Lesson> {
     const glm::dvec2 low = a + double(radius), high = b - double(radius);
     if (!(low.x <= high.x && low.y <= high.y)) throw_bad_input("the ball is too large to fit in");
     const auto states = std::make_shared<const std::vector<BallState>>(course_of(low, high));
-    Track track("ball", {"x", "y", "vx", "vy", "bounces"});
+    Track track("ball", {"x", "y", "vx", "vy", "hits"});
     for (std::size_t i = 1; i < states->size(); ++i) {
       const BallState& s = (*states)[i];
       track.step({s.at.x, s.at.y, s.velocity.x, s.velocity.y, double(s.bounces)});

@@ -83,7 +83,7 @@ void Lesson::follow_world() {
     for (Handle& handle : plan_.handles) handle.at = glm::round(handle.at * size / before);
     if (last_world_.panes.x != 0) {
       for (Figure& f : plan_.figures) {
-        if (f.step == 1) f.value = std::round(f.value * size.y / before.y);
+        if (f.step == 1 && f.in_pixels) f.value = std::round(f.value * size.y / before.y);
       }
     }
   }
@@ -197,7 +197,7 @@ int Lesson::handle_near(const InputEvent& event) const {
   float nearest = 26 * theme::scale_for(height());
   int found = kNoHandle;
   for (std::size_t i = 0; i < plan_.handles.size(); ++i) {
-    if (plan_.handles[i].pane >= 0 && plan_.handles[i].pane != pane) continue;
+    if (!handle_in(static_cast<int>(i), pane)) continue;
     const glm::vec2 place = screen_.place(world(), {pane, plan_.handles[i].at + 0.5});
     const float distance = glm::length(place - mouse);
     if (distance < nearest) nearest = distance, found = static_cast<int>(i);

@@ -30,6 +30,7 @@ struct Handle {
 struct Figure {
   std::string label;
   double value = 0, least = 0, most = 1, step = 1;
+  bool in_pixels = true;  ///< one whose step is 1 grows where the world's pixels become smaller
 };
 
 /// A line to be laid over the picture, in pixels of the world, between pixels too.
@@ -105,6 +106,11 @@ class Lesson : public Demo {
   /// throws is shown in the panel.
   virtual Course record() const = 0;
   virtual glm::ivec2 panes() const { return {1, 1}; }
+  /// Whether a handle is shown, and can be dragged, in a pane.
+  virtual bool handle_in(int handle, int pane) const {
+    const int only = plan_.handles[static_cast<std::size_t>(handle)].pane;
+    return only < 0 || only == pane;
+  }
   /// Events that are nobody else's; `at` in the pane under the mouse. @return whether it changed
   /// the input
   virtual bool answer(const InputEvent&, LessonScreen::Spot /*at*/) { return false; }

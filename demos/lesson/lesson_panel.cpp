@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 #include "demos/lesson/lesson.h"
@@ -14,11 +13,13 @@ namespace kinescope {
 namespace {
 
 constexpr float kHintRoom = 86;        // below the picture, with the window's own line
-constexpr std::size_t kMostLit = 256;  // pixels of a step with a frame around each
+constexpr std::size_t kMostLit = 256;  // pixels of a step that has a frame around each
 
 std::string cell(double value) {
-  return value == std::floor(value) && std::abs(value) < 1e9 ? fmt::format("{:.0f}", value)
-                                                             : fmt::format("{:.3f}", value);
+  if (value == std::floor(value) && std::abs(value) < 1e9) return fmt::format("{:.0f}", value);
+  // Great numbers leave decimals out, so that columns stay apart.
+  const double size = std::abs(value);
+  return fmt::format("{:.{}f}", value, size < 100 ? 3 : size < 1000 ? 2 : 1);
 }
 
 }  // namespace
@@ -182,9 +183,9 @@ void Lesson::draw_pane(Canvas& canvas, const World& world, int pane, const Overl
     canvas.text(studio().sans, at + glm::vec2(0, size * 0.36f), label.words, size, label.colour,
                 Align::kCentre);
   }
-  for (const Handle& handle : plan_.handles) {
-    if (handle.pane >= 0 && handle.pane != pane) continue;
-    const glm::vec2 at = place(handle.at + 0.5);
+  for (std::size_t i = 0; i < plan_.handles.size(); ++i) {
+    if (!handle_in(static_cast<int>(i), pane)) continue;
+    const glm::vec2 at = place(plan_.handles[i].at + 0.5);
     canvas.disc(at, 7 * scale, theme::with_alpha(theme::kAccent, 150));
     canvas.disc(at, 3 * scale, theme::kAccentDark);
   }
@@ -205,18 +206,19 @@ void Lesson::draw_marks(Canvas& canvas, const World& world) const {
     const std::size_t now = playback_.shown();
     if (now == 0 || now > track.steps()) continue;
     const auto marks = track.marks(now - 1);
-    for (std::size_t i = 0; i < std::min(marks.size(), kMostLit); ++i) {
+    for (std::size_t i = 0; i < marks.size() && marks.size() <= kMostLit; ++i) {
       const glm::vec2 at = screen_.place(world, {track.pane(), {marks[i].x, marks[i].y}});
       canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
     }
   }
-  std::map<int, int> named;  // lines of names in each pane
+  const int panes = world.panes.x * world.panes.y;
+  std::vector<int> named(static_cast<std::size_t>(panes));  // tracks of a pane, one below another
   for (const Track& track : course_->tracks) {
-    if (world.panes == glm::ivec2(1)) break;
+    if (panes == 1) break;
     const glm::vec2 at = screen_.place(world, {track.pane(), {0, 0}});
-    const int line = named[track.pane()]++;
-    canvas.text(studio().sans, at + glm::vec2(6, 17 * (line + 1)) * scale, track.name(),
-                theme::kSmall * scale, theme::kCool);
+    const int above = named[static_cast<std::size_t>(track.pane())]++;
+    canvas.text(studio().sans, at + glm::vec2(6, 17 * (1 + above)) * scale, track.name(),
+                theme::kSmall * scale, track.ink());
   }
 }
 
