@@ -101,6 +101,7 @@ DemoInfo b_splines_demo() {
 DemoInfo practical_10_demo() {
   DemoInfo info = b_splines_demo();
   info.name = "practical-10";
+  info.chapter = "Practicals";
   info.summary = "Practical 10: Bezier and B-spline curves, their control points dragged";
   info.topics = {"practical 10"};
   return info;

@@ -1,17 +1,19 @@
 // Polygons clipped two ways, side by side: by four clippers in a row, and by following contours.
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "demos/lesson/ink_lines.h"
 #include "demos/lesson/lesson.h"
 #include "demos/polygon_courses.h"
 #include "raster/base/error.h"
-#include "raster/scan/limits.h"
 
 namespace kinescope {
 namespace {
 
 enum { kClip };
 enum { kWindow, kConvex, kConcave };
+constexpr int kFarthest = 100'000;
 constexpr int kLow = 0, kHigh = 1, kFirstCorner = 2;
 
 /// Clip polygons in shares of the dragged rectangle.
@@ -52,18 +54,23 @@ class PolygonClipping : public ClonableDemo<PolygonClipping, Lesson> {
  private:
   glm::ivec2 panes() const override { return {2, 1}; }
 
+  /// A corner in the world's names, where it can be filled.
+  glm::dvec2 checked(int handle) const {
+    const glm::ivec2 p = pixel(handle);
+    if (std::max(std::abs(p.x), std::abs(p.y)) > kFarthest) {
+      throw_bad_input("corners: within 100000 pixels");
+    }
+    return world().named(corner(handle));
+  }
   Contour subject() const {
     Contour contour;
     for (int i = kFirstCorner; i < static_cast<int>(corners()); ++i) {
-      check_coordinates(pixel(i));
-      contour.push_back(world().named(corner(i)));
+      contour.push_back(checked(i));
     }
     return contour;
   }
   ClipWindow window() const {
-    check_coordinates(pixel(kLow));
-    check_coordinates(pixel(kHigh));
-    const glm::dvec2 a = world().named(corner(kLow)), b = world().named(corner(kHigh));
+    const glm::dvec2 a = checked(kLow), b = checked(kHigh);
     return {glm::min(a, b), glm::max(a, b)};
   }
   Contour clip() const {

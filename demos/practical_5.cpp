@@ -14,7 +14,7 @@ enum { kAngle, kWay, kFactor, kShearing };
 constexpr double kPlaneReach = 4;
 
 Knob step_knob(const char* name, const char* key, int index) {
-  return choice_knob(name, {key}, {"nothing", "move", "turn", "scale", "shear", "reflect"}, index,
+  return choice_knob(name, {key}, {"none", "move", "turn", "scale", "shear", "mirror"}, index,
                      "what happens to both figures");
 }
 
@@ -101,6 +101,7 @@ class Practical5 : public ClonableDemo<Practical5, SpaceLesson> {
       space.steps.push_back(in_three(kind));
     }
     plane.smooth = space.smooth = 12;
+    plane.brief = space.brief = true;
     Course course;
     show(std::move(plane), course, 0, "in the plane");
     show(std::move(space), course, 1, "in space");

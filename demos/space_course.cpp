@@ -27,8 +27,8 @@ Track track_of(const SpaceCourse& space, int pane, const std::string& name) {
   std::string last;
   for (std::size_t k = 0; k < space.steps.size(); ++k) {
     product = space.steps[k].matrix * product;
-    last = fmt::format("{} of {}: {}\n", k + 1, space.steps.size(), space.steps[k].name) +
-           lines(space.steps[k].matrix) + "product so far\n" + lines(product);
+    last = fmt::format("{}/{}: {}\n", k + 1, space.steps.size(), space.steps[k].name) +
+           (space.brief ? "" : lines(space.steps[k].matrix)) + "product so far\n" + lines(product);
     for (int i = 0; i < space.smooth; ++i) {
       const bool end = k + 1 == space.steps.size() && i + 1 == space.smooth;
       if (end) ink_wire(track, space.view, space.figure, product, theme::kText);

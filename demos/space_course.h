@@ -14,6 +14,7 @@ struct SpaceCourse {
   int smooth = 1;  ///< pictures a matrix
   Wire figure = wire_house();
   std::size_t traced = 3;  ///< the point whose coordinates are told
+  bool brief = false;      ///< tells the product only, where there is little room
   bool flat = false;       ///< in the plane z = 0: told as two-dimensional
   Wire carried{};          ///< an axis, or a plane: goes the same way, drawn as guides
 };

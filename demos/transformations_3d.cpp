@@ -94,6 +94,7 @@ class Transformations3D : public ClonableDemo<Transformations3D, SpaceLesson> {
       course.remarks = class_remarks(compose(chain()));
       return course;
     }
+    one.brief = true;
     SpaceCourse other = one;
     const TransformStep3 turn{"a turn about z", rotation_z_deg(kSecondTurnDeg)};
     one.steps.push_back(turn);

@@ -27,13 +27,12 @@ std::array<glm::dmat4, 2> placements() {
 
 ViewingCourse::ViewingCourse(const Camera& camera, const Axonometric& from, const Window& viewport)
     : camera_(camera), from_(from), viewport_(viewport), viewing_(viewing_steps(camera)) {
-  viewport_from_window({{-1, -1}, {1, 1}}, viewport);
   canonical_from_world_ = compose(viewing_);
   clip_from_canonical_ = glm::dmat4(camera.clip_from_world()) * glm::inverse(canonical_from_world_);
-  stages_.push_back({"local to world: one house, placed twice", kSmooth});
+  stages_.push_back({"local to world, two houses", kSmooth});
   for (const TransformStep3& step : viewing_) stages_.push_back({step.name, kSmooth});
   for (const char* name : kPlaneNames) stages_.push_back({std::string("clip, ") + name, 1});
-  stages_.push_back({"division by w: the volume is a box", kSmooth});
+  stages_.push_back({"division by w: to a box", kSmooth});
   stages_.push_back({"window to viewport", 1});
 }
 
@@ -213,7 +212,7 @@ glm::dvec4 ViewingCourse::traced(std::size_t shown) const {
 
 std::string ViewingCourse::note(std::size_t shown) const {
   const std::size_t stage = place(shown == 0 ? 0 : shown - 1).stage;
-  std::string text = fmt::format("{} of {}: {}\n", stage + 1, stages_.size(), stages_[stage].name);
+  std::string text = fmt::format("{}/{}: {}\n", stage + 1, stages_.size(), stages_[stage].name);
   if (stage == kPlaced) text += matrix_lines(placements()[0]);
   if (stage >= kViewing && stage < kClip) text += matrix_lines(viewing_[stage - kViewing].matrix);
   if (stage >= kClip && stage < kDivision) {

@@ -14,7 +14,7 @@ namespace kinescope {
 
 class ViewingCourse {
  public:
-  /// @throws Error (bad input) for a view volume or a viewport without size
+  /// @throws Error (bad input) for a view volume without size
   ViewingCourse(const Camera& camera, const Axonometric& from, const Window& viewport);
 
   struct Stage {
