@@ -14,7 +14,8 @@ namespace {
 enum { kClip };
 enum { kWindow, kConvex, kConcave };
 constexpr int kFarthest = 100'000;
-constexpr int kLow = 0, kHigh = 1, kFirstCorner = 2;
+constexpr int kLow = 0, kHigh = 1;
+constexpr std::size_t kFirstCorner = 2;
 
 /// Clip polygons in shares of the dragged rectangle.
 const Contour& clip_shape(int kind) {
@@ -30,9 +31,10 @@ class PolygonClipping : public ClonableDemo<PolygonClipping, Lesson> {
   explicit PolygonClipping(const DemoSetup& setup)
       : ClonableDemo(
             setup,
-            {.look_for = "Left: each side is a clipper of its own; where the comb falls apart, "
-                         "edges run along the side and back (red). Right: in at +, out at -, along "
-                         "the window to the next +.",
+            {.look_for =
+                 "Left: each side is a clipper of its own; where the comb falls apart, "
+                 "edges run along the side and back (red). Right: in at +, out at -, along "
+                 "the window to the next +. The right button adds a corner, Backspace takes one.",
              .handles = {{"corner", {0.2, 0.7}},
                          {"opposite", {0.8, 0.4}},
                          {"a", {0.1, 0.9}},
@@ -62,7 +64,20 @@ class PolygonClipping : public ClonableDemo<PolygonClipping, Lesson> {
     }
     return world().named(corner(handle));
   }
+  bool answer(const InputEvent& event, LessonScreen::Spot at) override {
+    if (event.kind == InputKind::kMouseDown && event.button == MouseButton::kRight) {
+      handles().push_back({"corner", glm::floor(at.at)});
+      return true;
+    }
+    if (event.kind != InputKind::kKeyDown || event.key != "Backspace") return false;
+    if (handles().size() > kFirstCorner) handles().pop_back();
+    return true;
+  }
+
   Contour subject() const {
+    if (corners() < kFirstCorner + 3) {
+      throw_bad_input("fewer than three corners have no inside: the right button adds one");
+    }
     Contour contour;
     for (int i = kFirstCorner; i < static_cast<int>(corners()); ++i) {
       contour.push_back(checked(i));
@@ -130,7 +145,7 @@ DemoInfo polygon_clipping_demo() {
           "Polygons clipped by Sutherland-Hodgman and by Weiler-Atherton, their difference lit",
           [](const DemoSetup& setup) { return std::make_unique<PolygonClipping>(setup); },
           1,
-          "drag corners",
+          "drag corners, right: add one",
           {"polygons by Sutherland-Hodgman (four clippers)", "Weiler-Atherton for concave ones"}};
 }
 

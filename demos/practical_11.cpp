@@ -20,6 +20,7 @@ enum { kClock, kSun };
 enum { kHour, kMinute, kNoonHeight };
 constexpr std::array kTickSeconds = {1, 60, 600};
 constexpr double kSunrise = 6, kDay = 86400;
+constexpr int kMostSteps = 7200;  // two hours of seconds; of longer ticks, half a day
 
 class Practical11 : public ClonableDemo<Practical11, Lesson> {
  public:
@@ -153,12 +154,12 @@ class Practical11 : public ClonableDemo<Practical11, Lesson> {
     const int tick = kTickSeconds[static_cast<std::size_t>(knob(kTick).index())];
     const double begin = 3600.0 * hour + 60.0 * minute;
     Track track(clock ? "clock" : "sun",
-                clock ? std::vector<std::string>{"h", "min", "s", "hour deg", "min deg"}
+                clock ? std::vector<std::string>{"h", "min", "s", "h deg", "m deg"}
                       : std::vector<std::string>{"h", "min", "s", "height"});
     const auto time_at = [begin, tick](std::size_t shown) {
       return std::fmod(begin + double(shown) * tick, kDay);
     };
-    const auto steps = static_cast<std::size_t>(43200 / tick);
+    const auto steps = static_cast<std::size_t>(std::min(43200 / tick, kMostSteps));
     for (std::size_t shown = 1; shown <= steps; ++shown) {
       const double t = time_at(shown);
       std::vector<double> values = {std::floor(t / 3600), std::fmod(std::floor(t / 60), 60),

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -82,6 +83,24 @@ TEST(ClippingLessons, OnlyDegenerateEdgesTellTheClippersApart) {
   EXPECT_TRUE(only_in(whole[0], whole[1]).empty());
   EXPECT_TRUE(only_in(whole[1], whole[0]).empty());
   EXPECT_EQ(wide.lesson().course().remarks.at(0), "1 piece beside 1 polygon of 10 corners");
+}
+
+TEST(ClippingLessons, CornersAreAddedAndTakenAway) {
+  LessonUser user("polygon-clipping");
+  for (int i = 0; i < 7; ++i) user.pass({key_down("Backspace")});
+  EXPECT_EQ(user.lesson().fault(), "");
+  // A triangle a, b, c: its clipped area is convex, so both clippers draw the same.
+  EXPECT_TRUE(only_in(user.lesson().course().tracks[0], user.lesson().course().tracks[1]).empty());
+  for (int i = 0; i < 9; ++i) user.pass({key_down("Backspace")});
+  EXPECT_NE(user.lesson().fault().find("fewer than three corners"), std::string::npos);
+  const std::array<glm::dvec2, 3> added = {{{20.5, 50.5}, {60.5, 50.5}, {40.5, 80.5}}};
+  for (const glm::dvec2& p : added) {
+    InputEvent press = user.mouse(InputKind::kMouseDown, p);
+    press.button = MouseButton::kRight;
+    user.pass({press});
+  }
+  EXPECT_EQ(user.lesson().fault(), "");
+  EXPECT_GT(user.lesson().course().tracks[1].steps(), 3u);
 }
 
 TEST(ClippingLessons, AConcaveClipPolygonIsWeilerAndAthertonsAlone) {
