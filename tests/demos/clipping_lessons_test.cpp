@@ -93,7 +93,7 @@ TEST(ClippingLessons, CornersAreAddedAndTakenAway) {
   EXPECT_TRUE(only_in(user.lesson().course().tracks[0], user.lesson().course().tracks[1]).empty());
   for (int i = 0; i < 9; ++i) user.pass({key_down("Backspace")});
   EXPECT_NE(user.lesson().fault().find("fewer than three corners"), std::string::npos);
-  const std::array<glm::dvec2, 3> added = {{{20.5, 50.5}, {60.5, 50.5}, {40.5, 80.5}}};
+  const std::array<glm::dvec2, 3> added = {{{20.5, 50.5}, {75.5, 50.5}, {40.5, 80.5}}};
   for (const glm::dvec2& p : added) {
     InputEvent press = user.mouse(InputKind::kMouseDown, p);
     press.button = MouseButton::kRight;
