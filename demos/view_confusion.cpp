@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "demos/lesson/space_lesson.h"
+#include "demos/twin_cubes.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -140,50 +140,6 @@ class ViewConfusion : public ClonableDemo<ViewConfusion, SpaceLesson> {
     return course;
   }
 
-  /// The cube's edges in the picture; of the cube behind the mirror if `reversed`.
-  Track cube_track(const Axonometric& from, bool reversed) const {
-    Track track(reversed ? "the same, depth reversed" : "a cube", {"x", "y"}, 1);
-    const SpacePane picture{world(), from, {}, 2.2};
-    const Wire cube = wire_box(glm::dvec3(-1), glm::dvec3(1));
-    const glm::dmat4 turned = picture_from_world(from);
-    for (const auto& [i, j] : cube.edges) {
-      // An edge is seen if one of the two faces that meet there faces the viewer.
-      bool seen = false;
-      for (int axis = 0; axis < 3; ++axis) {
-        if ((i ^ j) & (std::size_t{1} << axis)) continue;
-        const double outwards = i & (std::size_t{1} << axis) ? 1 : -1;
-        seen |= outwards * turned[axis].z * (reversed ? -1 : 1) > 1e-12;
-      }
-      const glm::dvec2 end = picture.place(cube.points[j]);
-      if (seen || !knob(kCured).on()) {
-        ink_line(track, picture.world, picture.place(cube.points[i]), end,
-                 reversed ? theme::kAccent : theme::kText);
-      }
-      track.step({end.x, end.y}, seen ? "" : "hidden by the cube itself\n");
-    }
-    track.step({0, 0});
-    return track;
-  }
-
-  Course ambiguous() const {
-    const Axonometric from{30, 25};
-    const SpacePane space = view({0, 0, 0}, 4);
-    Course course;
-    course.tracks = {cube_track(from, false), cube_track(from, true)};
-    course.compare = true;
-    course.remarks.push_back("Left: both solids, seen from elsewhere.");
-    course.painter = [space, from](std::size_t, int pane, Image<Srgb8>& paper) {
-      if (pane != 0) return;
-      PaperInk ink{paper};
-      const Wire cube = wire_box(glm::dvec3(-1), glm::dvec3(1));
-      const glm::dmat4 turned = picture_from_world(from);
-      ink_wire(ink, space, cube, translation({-2, 0, 0}) * turned, theme::kText);
-      ink_wire(ink, space, cube, translation({2, 0, 0}) * scaling({1, 1, -1}) * turned,
-               theme::kAccent);
-    };
-    return course;
-  }
-
   Course record() const override {
     switch (knob(kSubject).index()) {
       case kBehind:
@@ -191,7 +147,7 @@ class ViewConfusion : public ClonableDemo<ViewConfusion, SpaceLesson> {
       case kThrough:
         return through();
       default:
-        return ambiguous();
+        return twin_cubes_course({view({0, 0, 0}, 4), knob(kCured).on()});
     }
   }
 };
