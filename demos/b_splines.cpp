@@ -9,7 +9,7 @@
 namespace kinescope {
 namespace {
 
-enum { kOrder, kKnots, kPieces };
+enum { kOrder, kKnots, kPieces, kLadder, kParameter };
 
 constexpr int kSteps = 300, kControls = 6;
 
@@ -18,7 +18,8 @@ class BSplines : public ClonableDemo<BSplines, Lesson> {
   explicit BSplines(const DemoSetup& setup)
       : ClonableDemo(setup,
                      {.look_for = "Drag a point: the B-spline (white) changes only near it, the "
-                                  "Bezier curve (amber) everywhere. 1 and 2 change the order.",
+                                  "Bezier curve (amber) everywhere. 1 and 2 change the order; "
+                                  "l shows de Casteljau's ladder.",
                       .handles = {{"p0", {0.1, 0.8}},
                                   {"p1", {0.15, 0.2}},
                                   {"p2", {0.4, 0.15}},
@@ -30,7 +31,9 @@ class BSplines : public ClonableDemo<BSplines, Lesson> {
                      {number_knob("order", "1", "2", 2, kControls, 1, 4, "", "degree and one"),
                       choice_knob("knots", {"k"}, {"open", "uniform"}, 0,
                                   "ends repeated until the curve reaches them, or not"),
-                      toggle_knob("pieces", "p", false, "the Bezier points of each piece")}) {}
+                      toggle_knob("pieces", "p", false, "the Bezier points of each piece"),
+                      toggle_knob("ladder", "l", false, "de Casteljau's, of the Bezier curve"),
+                      number_knob("t", "3", "4", 0, 1, 0.05, 0.4, "", "of the ladder")}) {}
 
  private:
   Course record() const override {
@@ -64,6 +67,13 @@ class BSplines : public ClonableDemo<BSplines, Lesson> {
     if (knob(kPieces).on()) {
       for (const auto& piece : pieces) chain(piece.control, theme::kGreen);
     }
+    if (knob(kLadder).on()) {
+      DeCasteljau<glm::dvec2> ladder(spline.control, knob(kParameter).value);
+      while (ladder.next()) chain(ladder.rungs().back(), theme::kRed);
+      const glm::dvec2 at = ladder.rungs().back()[0];
+      course.remarks.push_back(
+          fmt::format("Bezier at t = {:.2f}: ({:.2f}, {:.2f})", ladder.t(), at.x, at.y));
+    }
     course.remarks.push_back(
         fmt::format("{} Bezier pieces of degree {}", pieces.size(), spline.order - 1));
     std::string knots = "knots";
@@ -91,6 +101,7 @@ DemoInfo b_splines_demo() {
 DemoInfo practical_10_demo() {
   DemoInfo info = b_splines_demo();
   info.name = "practical-10";
+  info.chapter = "Practicals";
   info.summary = "Practical 10: Bezier and B-spline curves, their control points dragged";
   info.topics = {"practical 10"};
   return info;

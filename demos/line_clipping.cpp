@@ -143,6 +143,7 @@ DemoInfo line_clipping_demo() {
 DemoInfo practical_7_demo() {
   DemoInfo info = line_clipping_demo();
   info.name = "practical-7";
+  info.chapter = "Practicals";
   info.summary = "Practical 7: Cohen-Sutherland clipping, the region codes shown";
   info.topics = {"practical 7"};
   return info;

@@ -34,17 +34,29 @@ DemoInfo practical_1_demo();
 DemoInfo practical_2_demo();
 DemoInfo practical_3_demo();
 DemoInfo practical_4_demo();
+DemoInfo practical_5_demo();
+DemoInfo practical_6_demo();
 DemoInfo practical_8_demo();
 DemoInfo l_systems_demo();
 DemoInfo mandelbrot_demo();
 DemoInfo bezier_demo();
 DemoInfo b_splines_demo();
 DemoInfo line_clipping_demo();
+DemoInfo window_to_viewport_demo();
+DemoInfo polygon_clipping_demo();
+DemoInfo curve_clipping_demo();
+DemoInfo text_clipping_demo();
+DemoInfo viewing_steps_demo();
 DemoInfo projections_demo();
+DemoInfo view_confusion_demo();
 DemoInfo transformations_demo();
+DemoInfo transformations_3d_demo();
+DemoInfo planes_and_normals_demo();
 DemoInfo practical_7_demo();
 DemoInfo practical_9_demo();
 DemoInfo practical_10_demo();
+DemoInfo practical_11_demo();
+DemoInfo practical_12_demo();
 DemoInfo display_file_demo();
 DemoInfo rubber_band_demo();
 DemoInfo light_pen_demo();
@@ -84,17 +96,29 @@ std::span<const DemoInfo> all_demos() {
                                     practical_2_demo(),
                                     practical_3_demo(),
                                     practical_4_demo(),
+                                    practical_5_demo(),
+                                    practical_6_demo(),
                                     practical_8_demo(),
                                     l_systems_demo(),
                                     mandelbrot_demo(),
                                     bezier_demo(),
                                     b_splines_demo(),
                                     line_clipping_demo(),
+                                    window_to_viewport_demo(),
+                                    polygon_clipping_demo(),
+                                    curve_clipping_demo(),
+                                    text_clipping_demo(),
+                                    viewing_steps_demo(),
                                     projections_demo(),
+                                    view_confusion_demo(),
                                     transformations_demo(),
+                                    transformations_3d_demo(),
+                                    planes_and_normals_demo(),
                                     practical_7_demo(),
                                     practical_9_demo(),
-                                    practical_10_demo()};
+                                    practical_10_demo(),
+                                    practical_11_demo(),
+                                    practical_12_demo()};
   return kDemos;
 }
 

@@ -12,20 +12,30 @@
 
 namespace kinescope {
 
+/// Plots on the paper itself, for what is drawn anew each step.
+struct PaperInk {
+  Image<Srgb8>& paper;
+  void plot(int x, int y, Srgb8 colour) const {
+    if (paper.contains(x, y)) paper.at(x, y) = colour;
+  }
+};
+
 /// Plots the segment's pixels within a pane; nothing of one that is not finite.
-inline void ink_line(Track& track, const World& world, const glm::dvec2& from, const glm::dvec2& to,
-                     Srgb8 colour = theme::kText) {
+/// @param ink a Track or PaperInk
+template <typename Ink>
+void ink_line(Ink& ink, const World& world, const glm::dvec2& from, const glm::dvec2& to,
+              Srgb8 colour = theme::kText) {
   const ClipWindow pane{{0, 0}, {world.columns() - 0.001, world.rows() - 0.001}};
   const auto part = clip_liang_barsky(pane, {from, to});
   if (!part) return;
   BresenhamSteps line(glm::ivec2(part->from), glm::ivec2(part->to));
-  while (line.next()) track.plot(line.at().x, line.at().y, colour);
+  while (line.next()) ink.plot(line.at().x, line.at().y, colour);
 }
 
 /// Plots a point's pixel, if it lies in the pane.
-inline void ink_point(Track& track, const World& world, const glm::dvec2& p,
-                      Srgb8 colour = theme::kText) {
-  ink_line(track, world, p, p, colour);
+template <typename Ink>
+void ink_point(Ink& ink, const World& world, const glm::dvec2& p, Srgb8 colour = theme::kText) {
+  ink_line(ink, world, p, p, colour);
 }
 
 /// The rectangle that holds a figure, and where its points lie in a pane: as large as fits, y up.

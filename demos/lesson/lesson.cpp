@@ -86,15 +86,17 @@ void Lesson::follow_world() {
     for (Handle& handle : plan_.handles) handle.at = glm::round(handle.at * size / before);
     if (last_world_.panes.x != 0) {
       for (Figure& f : plan_.figures) {
-        if (f.step == 1) f.value = std::round(f.value * size.y / before.y);
+        if (f.step == 1 && f.in_pixels) f.value = std::round(f.value * size.y / before.y);
       }
     }
   }
   last_world_ = now;
 }
 
-void Lesson::run_anew(bool at_end) {
+void Lesson::run_anew(Begin begin) {
   fault_.clear();
+  const bool at_end = begin == Begin::kLast;
+  const std::size_t stay = begin == Begin::kStay ? playback_.shown() : 0;
   auto scene = std::make_shared<Course>();
   auto different = std::make_shared<std::vector<std::vector<Mark>>>();
   try {
@@ -113,14 +115,16 @@ void Lesson::run_anew(bool at_end) {
   }
   course_ = std::move(scene);
   different_ = std::move(different);
-  playback_.go_to(at_end ? steps() : 0);
+  playback_.go_to(at_end ? steps() : std::min(stay, steps()));
   stale_ = true;
 }
 
 void Lesson::update(const Step& step) {
   const bool turned = followed_.follow(knobs());
-  bool anew = false;
-  for (int i = 0; turned && i < own_knobs_; ++i) anew |= followed_.turned(i);
+  bool anew = false, viewed = false;
+  for (int i = 0; turned && i < own_knobs_; ++i) {
+    (i < own_knobs_ - plan_.views ? anew : viewed) |= followed_.turned(i);
+  }
   anew |= turned && followed_.turned(own_knobs_ + kResolution);
   stale_ |= turned;
   screen_.choose(knob(own_knobs_ + kDisplay).index(), step.exposure.begin);
@@ -132,8 +136,14 @@ void Lesson::update(const Step& step) {
       follow_world();  // a menu may have changed the panes
     }
   }
-  if (anew || edited) run_anew(edited && held_ != kNoHandle);
-  if (knob(own_knobs_ + kRunning).on() && held_ == kNoHandle) {
+  const bool held = held_ != kNoHandle || dragging();
+  if (anew || edited) {
+    run_anew(edited && held ? Begin::kLast : Begin::kFirst);
+  } else if (viewed) {
+    run_anew(Begin::kStay);
+  }
+  if (knob(own_knobs_ + kRunning).on() && !held) {
+    if (plan_.loops && playback_.shown() == steps()) playback_.go_to(0);
     stale_ |=
         playback_.pass(step.exposure.length().count(), knob(own_knobs_ + kSpeed).index(), steps());
   }
@@ -190,6 +200,7 @@ int Lesson::handle_near(const InputEvent& event) const {
   float nearest = 26 * theme::scale_for(height());
   int found = kNoHandle;
   for (std::size_t i = 0; i < plan_.handles.size(); ++i) {
+    if (!handle_in(static_cast<int>(i), pane)) continue;
     const glm::vec2 place = screen_.place(world(), {pane, plan_.handles[i].at + 0.5});
     const float distance = glm::length(place - mouse);
     if (distance < nearest) nearest = distance, found = static_cast<int>(i);
@@ -311,6 +322,9 @@ void Lesson::show_panes() {
   papers.resize(static_cast<std::size_t>(world.panes.x * world.panes.y));
   for (Image<Srgb8>& paper : papers) {
     if (paper.empty()) paper = Image<Srgb8>(world.columns(), world.rows(), kPaper);
+  }
+  for (int pane = 0; course_->painter && pane < static_cast<int>(papers.size()); ++pane) {
+    course_->painter(playback_.shown(), pane, papers[static_cast<std::size_t>(pane)]);
   }
   for (const Track& track : course_->tracks) {
     track.draw(playback_.shown(), papers[static_cast<std::size_t>(track.pane())]);

@@ -2,6 +2,7 @@
 // recorded and played, its state beside the picture, and points to drag or to type.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,12 +23,14 @@ namespace kinescope {
 struct Handle {
   std::string label;
   glm::dvec2 at{0};  ///< in a plan: shares of the world's width and height
+  int pane = -1;     ///< where it may be dragged; -1: in all
 };
 
 /// A figure of the input, with a field and a slider. What is typed may lie outside the slider.
 struct Figure {
   std::string label;
   double value = 0, least = 0, most = 1, step = 1;
+  bool in_pixels = true;  ///< one whose step is 1 grows where the world's pixels become smaller
 };
 
 /// A line to be laid over the picture, in pixels of the world, between pixels too.
@@ -37,13 +40,31 @@ struct Guide {
   int pane = -1;  ///< -1: all
 };
 
+/// Words to be laid over the picture, centred at a place.
+struct Label {
+  glm::dvec2 at{0};
+  std::string words;
+  Srgb8 colour = theme::kDim;
+  int pane = 0;
+};
+
+/// What stands over the picture after a number of steps.
+struct Overlay {
+  std::vector<Guide> guides;
+  std::vector<Label> labels;
+};
+
 /// What there is to see for the input as it stands.
 struct Course {
   std::vector<Track> tracks;
   std::vector<Image<Srgb8>> papers;  ///< of the panes before the first step; black if there is none
   std::vector<Guide> guides;
   std::vector<std::string> remarks;  ///< what came out, a line each
-  bool compare = false;              ///< lights the difference of the first two tracks
+  /// For what is drawn anew each step, such as what moves: the paper of a pane, and what lies over
+  /// all of them, after so many steps.
+  std::function<void(std::size_t shown, int pane, Image<Srgb8>& paper)> painter{};
+  std::function<Overlay(std::size_t shown)> overlay{};
+  bool compare = false;  ///< lights the difference of the first two tracks
 };
 
 struct LessonPlan {
@@ -53,6 +74,8 @@ struct LessonPlan {
   int resolution = 1;  ///< of Lesson::kCells, from coarse to fine
   int speed = 3;       ///< of Playback::speeds()
   bool centred = false;
+  bool loops = false;  ///< begins again after the last step
+  int views = 0;       ///< the last so many of the demo's knobs move the viewer only: steps stay
 };
 
 class Lesson : public Demo {
@@ -86,9 +109,17 @@ class Lesson : public Demo {
   /// throws is shown in the panel.
   virtual Course record() const = 0;
   virtual glm::ivec2 panes() const { return {1, 1}; }
+  /// Whether a handle is shown, and can be dragged, in a pane.
+  virtual bool handle_in(int handle, int pane) const {
+    const int only = plan_.handles[static_cast<std::size_t>(handle)].pane;
+    return only < 0 || only == pane;
+  }
   /// Events that are nobody else's; `at` in the pane under the mouse. @return whether it changed
   /// the input
   virtual bool answer(const InputEvent&, LessonScreen::Spot /*at*/) { return false; }
+
+  /// Whether the demo's own hand holds something: while it does, the course stands at its end.
+  virtual bool dragging() const { return false; }
 
   std::vector<Handle>& handles() { return plan_.handles; }
   glm::ivec2 pixel(int handle) const;  ///< @throws Error (bad input) if it cannot be one
@@ -134,7 +165,8 @@ class Lesson : public Demo {
   bool accept();
   std::string shown_in_field(int field) const;
   int handle_near(const InputEvent& event) const;
-  void run_anew(bool at_end);
+  enum class Begin { kFirst, kLast, kStay };
+  void run_anew(Begin begin);
   std::size_t steps() const;
   void show_panes();
 
@@ -146,6 +178,8 @@ class Lesson : public Demo {
   void draw_menu(Form& form) const;
   void draw_state(Form& form) const;
   void draw_over(Canvas& canvas) const;
+  void draw_marks(Canvas& canvas, const World& world) const;
+  void draw_pane(Canvas& canvas, const World& world, int pane, const Overlay& over) const;
   Form::Table table(const Track& track, const Track* beside) const;
 
   LessonPlan plan_;

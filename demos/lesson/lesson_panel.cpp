@@ -13,11 +13,13 @@ namespace kinescope {
 namespace {
 
 constexpr float kHintRoom = 86;        // below the picture, with the window's own line
-constexpr std::size_t kMostLit = 256;  // pixels of a step with a frame around each
+constexpr std::size_t kMostLit = 256;  // pixels of a step that has a frame around each
 
 std::string cell(double value) {
-  return value == std::floor(value) && std::abs(value) < 1e9 ? fmt::format("{:.0f}", value)
-                                                             : fmt::format("{:.3f}", value);
+  if (value == std::floor(value) && std::abs(value) < 1e9) return fmt::format("{:.0f}", value);
+  // Great numbers leave decimals out, so that columns stay apart.
+  const double size = std::abs(value);
+  return fmt::format("{:.{}f}", value, size < 100 ? 3 : size < 1000 ? 2 : 1);
 }
 
 }  // namespace
@@ -157,48 +159,80 @@ void Lesson::draw_side() {
   sheet_ = std::move(sheet);
 }
 
-/// Guides, handles, the pixels of the last step, and the line below the picture.
-void Lesson::draw_over(Canvas& canvas) const {
-  const World world = this->world();
+/// A pane's guides and words, and the handles that may be dragged in it.
+void Lesson::draw_pane(Canvas& canvas, const World& world, int pane, const Overlay& over) const {
   const float scale = theme::scale_for(height());
-  const float pixel = screen_.face().width * static_cast<float>(world.cell) / World::kScreenWidth;
-  canvas.set_clip(screen_.face());
-  const int panes = world.panes.x * world.panes.y;
-  for (int pane = 0; pane < panes; ++pane) {
-    const auto place = [&](glm::dvec2 at) { return screen_.place(world, {pane, at}); };
-    for (const Guide& guide : course_->guides) {
+  const auto place = [&](glm::dvec2 at) { return screen_.place(world, {pane, at}); };
+  const glm::vec2 corner = place({0, 0});
+  const glm::vec2 room =
+      glm::vec2(screen_.face().width, screen_.face().height) / glm::vec2(world.panes);
+  canvas.set_clip({corner.x, corner.y, room.x, room.y});
+  for (const std::vector<Guide>* guides : {&course_->guides, &over.guides}) {
+    for (const Guide& guide : *guides) {
       if (guide.pane >= 0 && guide.pane != pane) continue;
       canvas.line(place(guide.from), place(guide.to), 1.5f * scale, guide.colour);
     }
-    for (const Handle& handle : plan_.handles) {
-      const glm::vec2 at = place(handle.at + 0.5);
-      canvas.disc(at, 7 * scale, theme::with_alpha(theme::kAccent, 150));
-      canvas.disc(at, 3 * scale, theme::kAccentDark);
-    }
-    const glm::vec2 corner = place({0, 0});
-    if (pane % world.panes.x) {
-      canvas.line(corner, {corner.x, screen_.face().bottom()}, 2 * scale, theme::kDim);
-    }
-    if (pane >= world.panes.x) {
-      canvas.line(corner, {screen_.face().right(), corner.y}, 2 * scale, theme::kDim);
-    }
   }
+  for (const Label& label : over.labels) {
+    if (label.pane != pane) continue;
+    const float size = theme::kSmall * scale;
+    const float half = studio().sans.width_px(label.words, size) / 2 + 3 * scale;
+    const glm::vec2 at = place(label.at);
+    canvas.fill({at.x - half, at.y - size * 0.6f, 2 * half, size * 1.2f},
+                theme::with_alpha(theme::kBackground, 200), 3 * scale);
+    canvas.text(studio().sans, at + glm::vec2(0, size * 0.36f), label.words, size, label.colour,
+                Align::kCentre);
+  }
+  for (std::size_t i = 0; i < plan_.handles.size(); ++i) {
+    if (!handle_in(static_cast<int>(i), pane)) continue;
+    const glm::vec2 at = place(plan_.handles[i].at + 0.5);
+    canvas.disc(at, 7 * scale, theme::with_alpha(theme::kAccent, 150));
+    canvas.disc(at, 3 * scale, theme::kAccentDark);
+  }
+  canvas.set_clip(screen_.face());
+  if (pane % world.panes.x) {
+    canvas.line(corner, {corner.x, screen_.face().bottom()}, 2 * scale, theme::kDim);
+  }
+  if (pane >= world.panes.x) {
+    canvas.line(corner, {screen_.face().right(), corner.y}, 2 * scale, theme::kDim);
+  }
+}
+
+/// The pixels of the last step, each in a frame, and the tracks' names where there are several.
+void Lesson::draw_marks(Canvas& canvas, const World& world) const {
+  const float scale = theme::scale_for(height());
+  const float pixel = screen_.face().width * static_cast<float>(world.cell) / World::kScreenWidth;
   for (const Track& track : course_->tracks) {
     const std::size_t now = playback_.shown();
     if (now == 0 || now > track.steps()) continue;
     const auto marks = track.marks(now - 1);
-    for (std::size_t i = 0; i < std::min(marks.size(), kMostLit); ++i) {
+    for (std::size_t i = 0; i < marks.size() && marks.size() <= kMostLit; ++i) {
       const glm::vec2 at = screen_.place(world, {track.pane(), {marks[i].x, marks[i].y}});
       canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
     }
   }
+  const int panes = world.panes.x * world.panes.y;
+  std::vector<int> named(static_cast<std::size_t>(panes));  // tracks of a pane, one below another
   for (const Track& track : course_->tracks) {
     if (panes == 1) break;
     const glm::vec2 at = screen_.place(world, {track.pane(), {0, 0}});
-    canvas.text(studio().sans, at + glm::vec2(6, 17) * scale, track.name(), theme::kSmall * scale,
-                theme::kCool);
+    const int above = named[static_cast<std::size_t>(track.pane())]++;
+    canvas.text(studio().sans, at + glm::vec2(6, 17 * (1 + above)) * scale, track.name(),
+                theme::kSmall * scale, track.ink());
   }
+}
+
+/// What lies over the picture, and the line below it.
+void Lesson::draw_over(Canvas& canvas) const {
+  const World world = this->world();
+  const Overlay over = course_->overlay ? course_->overlay(playback_.shown()) : Overlay{};
+  canvas.set_clip(screen_.face());
+  for (int pane = 0; pane < world.panes.x * world.panes.y; ++pane) {
+    draw_pane(canvas, world, pane, over);
+  }
+  draw_marks(canvas, world);
   canvas.clear_clip();
+  const float scale = theme::scale_for(height());
   const float left = theme::kMargin * scale, size = theme::kBody * scale;
   float y = static_cast<float>(height()) - (kHintRoom - 20) * scale;
   for (const std::string& line : wrap(studio().sans, plan_.look_for, size, side().x - 2 * left)) {

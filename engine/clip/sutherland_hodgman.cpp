@@ -89,6 +89,24 @@ bool SutherlandHodgman::next() {
   return true;
 }
 
+std::vector<ClippedEdge> SutherlandHodgman::edges(int k,
+                                                  std::span<const glm::dvec2> polygon) const {
+  const ClipPlane& plane = planes_[static_cast<std::size_t>(k)];
+  const auto inside_by = [&](const glm::dvec2& p) { return plane.inside_by({p, 0.0, 1.0}); };
+  std::vector<ClippedEdge> edges;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec2 &from = polygon[(i + polygon.size() - 1) % polygon.size()], &to = polygon[i];
+    const double from_by = inside_by(from), to_by = inside_by(to);
+    ClippedEdge edge{from, to};
+    if (from_by >= 0.0 && to_by < 0.0) edge.what = EdgeCase::kLeaving;
+    if (from_by < 0.0) edge.what = to_by < 0.0 ? EdgeCase::kOutside : EdgeCase::kEntering;
+    edge.handed_on =
+        int(to_by >= 0.0) + int(std::min(from_by, to_by) < 0.0 && std::max(from_by, to_by) > 0.0);
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
 std::vector<glm::dvec2> clip_polygon(const ClipWindow& window,
                                      std::span<const glm::dvec2> polygon) {
   SutherlandHodgman clip(window, polygon);

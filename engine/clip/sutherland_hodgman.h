@@ -11,6 +11,19 @@
 
 namespace kinescope {
 
+/// What a clipper does with an edge. Corners on its side are inside.
+enum class EdgeCase {
+  kInside,   ///< hands on the second corner
+  kLeaving,  ///< hands on the crossing
+  kOutside,  ///< hands on nothing
+  kEntering  ///< hands on the crossing and the second corner
+};
+struct ClippedEdge {
+  glm::dvec2 from{0.0}, to{0.0};
+  EdgeCase what = EdgeCase::kInside;
+  int handed_on = 0;  ///< corners; a crossing that is a corner itself counts once
+};
+
 /// Four clippers in a row (or as many as a convex polygon has sides). Concave polygons may come out
 /// with edges that run along a side and back: weiler_atherton.h tells their parts apart.
 class SutherlandHodgman {
@@ -30,6 +43,8 @@ class SutherlandHodgman {
   Segment2 side(int k) const { return sides_[static_cast<std::size_t>(k)]; }
   /// What the clippers so far have left.
   const std::vector<glm::dvec2>& polygon() const { return polygon_; }
+  /// The edges that went into clipper k, as it would treat them, the last corner's first.
+  std::vector<ClippedEdge> edges(int k, std::span<const glm::dvec2> polygon) const;
 
  private:
   void start(std::span<const glm::dvec2> polygon);

@@ -2,39 +2,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "demo_testing.h"
-#include "demos/lesson/lesson.h"
 #include "engine/clip/liang_barsky.h"
 #include "engine/fractals/escape_time.h"
+#include "lesson_user.h"
 
 namespace kinescope {
 namespace {
-
-class LessonUser {
- public:
-  explicit LessonUser(const char* name)
-      : info_(find_demo(name)), demo_(info_.create(small_setup(640, 480))) {
-    pass({});
-  }
-  void pass(std::vector<InputEvent> events) {
-    const Seconds length = step_length(info_, *demo_), begin = now_;
-    now_ += length;
-    demo_->step({{begin, now_}, std::move(events)}, picture_);
-  }
-  const Lesson& lesson() const { return dynamic_cast<const Lesson&>(*demo_); }
-  InputEvent mouse(InputKind kind, glm::dvec2 at) const {
-    const glm::vec2 place = lesson().place_of(at);
-    return mouse_event(kind, static_cast<int>(std::lround(place.x)),
-                       static_cast<int>(std::lround(place.y)), MouseButton::kLeft);
-  }
-  glm::dvec2 size() const { return {lesson().world().columns(), lesson().world().rows()}; }
-
- private:
-  const DemoInfo& info_;
-  std::unique_ptr<Demo> demo_;
-  Seconds now_{0};
-  Image<Srgb8> picture_;
-};
 
 TEST(EngineLessons, ADraggedLineIsClippedAsTheLibraryClipsIt) {
   LessonUser user("line-clipping");

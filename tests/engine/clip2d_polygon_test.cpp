@@ -136,6 +136,35 @@ TEST(SutherlandHodgman, ClipsToAnyConvexPolygon) {
   }
 }
 
+TEST(SutherlandHodgman, TellsWhatAClipperDoesWithEachEdge) {
+  std::mt19937 random(5);
+  const ClipWindow window{{-2, -1}, {3, 2}};
+  int entering = 0, leaving = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Contour subject = star(random, 3 + i % 9, {i % 5 - 2.0, 0}, 4, i % 2 ? 0.5 : 0.01);
+    SutherlandHodgman clip(window, subject);
+    while (clip.stage() < clip.stages()) {
+      const int k = clip.stage();
+      const auto inside = [&](const Vec& p) {
+        return k == 0 ? p.x >= -2 : k == 1 ? p.x <= 3 : k == 2 ? p.y >= -1 : p.y <= 2;
+      };
+      const auto edges = clip.edges(k, clip.polygon());
+      std::size_t handed_on = 0;
+      for (const ClippedEdge& e : edges) {
+        handed_on += static_cast<std::size_t>(e.handed_on);
+        EXPECT_EQ(e.what == EdgeCase::kInside || e.what == EdgeCase::kLeaving, inside(e.from));
+        EXPECT_EQ(e.what == EdgeCase::kInside || e.what == EdgeCase::kEntering, inside(e.to));
+        entering += e.what == EdgeCase::kEntering;
+        leaving += e.what == EdgeCase::kLeaving;
+      }
+      clip.next();
+      EXPECT_EQ(clip.polygon().size(), handed_on < 3 ? 0 : handed_on);
+    }
+  }
+  EXPECT_EQ(entering, leaving);
+  EXPECT_GT(entering, 100);
+}
+
 TEST(SutherlandHodgman, BadInput) {
   const ClipWindow window{{0, 0}, {1, 1}};
   EXPECT_TRUE(clip_polygon(window, Contour{}).empty());

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/transform/in_between.h"
 #include "engine/transform/matrix_class.h"
 #include "raster/base/error.h"
 
@@ -176,6 +177,33 @@ TEST(Plane, NormalsUnderAffineMaps) {
   }
   // The trap: scaled by (1, 2, 1), the normal of x + y = 1 is not (1, 2, 0).
   expect_near(mapped_normal(scaling({1, 2, 1}), {1, 1, 0}), glm::normalize(Vec(2, 1, 0)));
+}
+
+TEST(InBetween, TurnsEvenlyAndEndsExactly) {
+  Draw draw;
+  for (int i = 0; i < 50; ++i) {
+    const Axis axis{{0, 0, 0}, {draw.number(), draw.number(), draw.number()}};
+    const double angle = 36 * draw.number(), share = std::abs(draw.number()) / 5;
+    const glm::dmat4 whole = rotation_about_deg(axis, angle);
+    expect_near(in_between(whole, share), rotation_about_deg(axis, share * angle), 1e-12);
+    EXPECT_EQ(in_between(whole, 0), glm::dmat4(1.0));
+    EXPECT_EQ(in_between(whole, 1), whole);
+  }
+  const glm::dmat4 half = in_between(rotation_y_deg(180), 0.5);
+  expect_near(half, rotation_y_deg(half[2][0] > 0 ? 90 : -90), 1e-12);
+}
+
+TEST(InBetween, BlendsWhatIsNoRotation) {
+  expect_near(in_between(translation({2, 4, -6}), 0.25), translation({0.5, 1, -1.5}));
+  expect_near(in_between(scaling({1, 1, -1}), 0.5), scaling({1, 1, 0}));
+  ShearFactors factors;
+  factors.b = 3;
+  const glm::dmat4 whole = shear(factors);
+  factors.b = 1;
+  expect_near(in_between(whole, 1.0 / 3), shear(factors));
+  // The origin of a rotation about an axis elsewhere goes straight.
+  const glm::dmat4 about = rotation_about_deg({{1, 0, 0}, {0, 0, 1}}, 90);
+  expect_near(Vec(in_between(about, 0.5)[3]), 0.5 * Vec(about[3]));
 }
 
 }  // namespace

@@ -1,0 +1,153 @@
+// A window of the world onto a viewport of the screen, in three steps; points are clipped first.
+#include <fmt/format.h>
+
+#include <random>
+
+#include "demos/lesson/ink_lines.h"
+#include "demos/lesson/lesson.h"
+#include "engine/clip/clip_window.h"
+#include "engine/clip/liang_barsky.h"
+#include "engine/projection/window_to_viewport.h"
+#include "raster/scan/limits.h"
+
+namespace kinescope {
+namespace {
+
+enum { kOnto, kShape };
+enum { kLow, kHigh, kViewLow, kViewHigh };
+constexpr int kPoints = 60;
+
+class WindowToViewport : public ClonableDemo<WindowToViewport, Lesson> {
+ public:
+  explicit WindowToViewport(const DemoSetup& setup)
+      : ClonableDemo(
+            setup,
+            {.look_for = "Each point inside the window (left) is kept and carried: to the origin, "
+                         "scaled, to the viewport's corner (right). Shapes change where the two "
+                         "rectangles differ. Drag their corners.",
+             .handles = {{"window", {0.2, 0.8}, 0},
+                         {"opposite", {0.7, 0.3}, 0},
+                         {"viewport", {0.15, 0.7}, 1},
+                         {"opposite", {0.85, 0.45}, 1}},
+             .resolution = 6,
+             .speed = 3},
+            {choice_knob("onto", {"1", "2"}, {"viewport", "normalized"}, 0,
+                         "the dragged viewport, or the unit square of normalized coordinates"),
+             toggle_knob("keep shape", "k", false, "the larger of the two scales is lowered")}) {}
+
+ private:
+  glm::ivec2 panes() const override { return {2, 1}; }
+
+  Window between(int i, int j) const {
+    check_coordinates(pixel(i));
+    check_coordinates(pixel(j));
+    const glm::dvec2 a = corner(i), b = corner(j);
+    return {{std::min(a.x, b.x), std::max(a.y, b.y)}, {std::max(a.x, b.x), std::min(a.y, b.y)}};
+  }
+  /// The normalized square, as large as the pane holds it.
+  Window unit_square() const {
+    const double side = 0.8 * std::min(world().columns(), world().rows());
+    const glm::dvec2 low(0.5 * (world().columns() - side), 0.5 * (world().rows() + side));
+    return {low, low + glm::dvec2(side, -side)};
+  }
+  Window viewport(const Window& window) const {
+    Window view = knob(kOnto).index() == 0 ? between(kViewLow, kViewHigh) : unit_square();
+    if (!knob(kShape).on()) return view;
+    const glm::dvec2 scale = (view.high - view.low) / (window.high - window.low);
+    const double least = std::min(scale.x, scale.y);
+    view.high = view.low + least * (window.high - window.low);
+    return view;
+  }
+
+  static void add_frame(Course& course, const Window& w, int pane) {
+    const std::array<glm::dvec2, 4> c = {w.low, {w.high.x, w.low.y}, w.high, {w.low.x, w.high.y}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      course.guides.push_back({c[i], c[(i + 1) % 4], theme::kCool, pane});
+    }
+  }
+
+  /// A ship of lines, in shares of the pane.
+  std::vector<Segment2> drawing() const {
+    constexpr std::array<glm::dvec2, 9> kShip = {{{0.25, 0.65},
+                                                  {0.75, 0.65},
+                                                  {0.85, 0.55},
+                                                  {0.15, 0.55},
+                                                  {0.25, 0.65},
+                                                  {0.5, 0.55},
+                                                  {0.5, 0.2},
+                                                  {0.75, 0.5},
+                                                  {0.5, 0.5}}};
+    const glm::dvec2 size(world().columns(), world().rows());
+    std::vector<Segment2> lines;
+    for (std::size_t i = 0; i + 1 < kShip.size(); ++i) {
+      if (i != 4) lines.push_back({kShip[i] * size, kShip[i + 1] * size});
+    }
+    return lines;
+  }
+
+  std::string told(const glm::dmat3& map, const Window& window, const glm::dvec2& p) const {
+    const glm::dvec2 q = apply(map, p);
+    const glm::dvec2 share = (p - window.low) / (window.high - window.low);
+    return fmt::format("({:.1f}, {:.1f}) goes to ({:.1f}, {:.1f})\nnormalized: ({:.3f}, {:.3f})\n",
+                       p.x, p.y, q.x, q.y, share.x, share.y);
+  }
+
+  Course record() const override {
+    const Window window = between(kLow, kHigh);
+    const Window viewport = this->viewport(window);
+    const auto steps = window_to_viewport_steps(window, viewport);
+    const glm::dmat3 map = compose(steps);
+    const ClipWindow clip{{window.low.x, window.high.y}, {window.high.x, window.low.y}};
+    Track world_track("world", {"x", "y"}, 0), screen("viewport", {"x", "y"}, 1);
+    const World pane = world();
+    std::mt19937 random(1);
+    for (int i = 0; i < kPoints; ++i) {
+      const auto place = [&](int size) {
+        return static_cast<double>(random() % 1000) / 1000 * size;
+      };
+      const double x = place(pane.columns()), y = place(pane.rows());
+      const glm::dvec2 p(x, y);
+      const bool inside = clip.contains(p);
+      ink_point(world_track, pane, p, inside ? theme::kText : theme::kRed);
+      world_track.step({x, y}, inside ? told(map, window, p) : "outside: thrown away\n");
+      const glm::dvec2 q = apply(map, p);
+      if (inside) ink_point(screen, pane, q);
+      screen.step({q.x, q.y});
+    }
+    for (const Segment2& line : drawing()) {
+      const auto part = clip_liang_barsky(clip, line);
+      ink_line(world_track, pane, line.from, line.to, theme::kRed);
+      if (part) {
+        ink_line(world_track, pane, part->from, part->to, theme::kAccent);
+        ink_line(screen, pane, apply(map, part->from), apply(map, part->to), theme::kAccent);
+      }
+      const glm::dvec2 q = apply(map, line.to);
+      world_track.step({line.to.x, line.to.y}, told(map, window, line.to));
+      screen.step({q.x, q.y});
+    }
+    Course course;
+    course.tracks = {std::move(world_track), std::move(screen)};
+    add_frame(course, window, 0);
+    add_frame(course, viewport, 1);
+    for (const TransformStep2& step : steps) {
+      const glm::dmat3& m = step.matrix;
+      course.remarks.push_back(fmt::format("{}: x' = {:.3g} x {:+.4g}, y' = {:.3g} y {:+.4g}",
+                                           step.name, m[0][0], m[2][0], m[1][1], m[2][1]));
+    }
+    return course;
+  }
+};
+
+}  // namespace
+
+DemoInfo window_to_viewport_demo() {
+  return {"window-to-viewport",
+          "7 Viewing and clipping",
+          "A window of the world carried onto a viewport; points and lines clipped to it",
+          [](const DemoSetup& setup) { return std::make_unique<WindowToViewport>(setup); },
+          1,
+          "drag both rectangles' corners",
+          {"window to viewport", "normalized device coordinates", "point clipping"}};
+}
+
+}  // namespace kinescope
