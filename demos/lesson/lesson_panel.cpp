@@ -13,7 +13,7 @@ namespace kinescope {
 namespace {
 
 constexpr float kHintRoom = 86;        // below the picture, with the window's own line
-constexpr std::size_t kMostLit = 256;  // pixels of a step with a frame around each
+constexpr std::size_t kMostLit = 256;  // pixels of a step that has a frame around each
 
 std::string cell(double value) {
   return value == std::floor(value) && std::abs(value) < 1e9 ? fmt::format("{:.0f}", value)
@@ -46,7 +46,11 @@ void Lesson::draw_fields(Form& form) const {
   // Many corners are shown in the picture; their fields would fill the panel.
   constexpr std::size_t kMostFields = 4;
   const std::size_t points = plan_.handles.size();
-  for (std::size_t i = 0; i < std::min(points, kMostFields); ++i) field(i, plan_.handles[i].label);
+  for (std::size_t i = 0, shown = 0; i < points && shown < kMostFields; ++i) {
+    if (!handle_shown(static_cast<int>(i))) continue;
+    field(i, plan_.handles[i].label);
+    ++shown;
+  }
   for (std::size_t i = 0; i < plan_.figures.size(); ++i) {
     const Figure& f = plan_.figures[i];
     field(points + i, f.label);
@@ -134,7 +138,7 @@ void Lesson::draw_state(Form& form) const {
       }
     }
     const auto left = static_cast<float>(together ? 1 : tracks.size() - i);
-    if (!track.columns().empty()) {
+    if (!track.columns().empty() || beside) {
       form.table(table(track, beside), form.y() + (bottom - form.y()) / left);
     }
     if (together) break;
@@ -170,8 +174,9 @@ void Lesson::draw_over(Canvas& canvas) const {
       if (guide.pane >= 0 && guide.pane != pane) continue;
       canvas.line(place(guide.from), place(guide.to), 1.5f * scale, guide.colour);
     }
-    for (const Handle& handle : plan_.handles) {
-      const glm::vec2 at = place(handle.at + 0.5);
+    for (std::size_t i = 0; i < plan_.handles.size(); ++i) {
+      if (!handle_in(static_cast<int>(i), pane)) continue;
+      const glm::vec2 at = place(plan_.handles[i].at + 0.5);
       canvas.disc(at, 7 * scale, theme::with_alpha(theme::kAccent, 150));
       canvas.disc(at, 3 * scale, theme::kAccentDark);
     }
@@ -187,16 +192,18 @@ void Lesson::draw_over(Canvas& canvas) const {
     const std::size_t now = playback_.shown();
     if (now == 0 || now > track.steps()) continue;
     const auto marks = track.marks(now - 1);
-    for (std::size_t i = 0; i < std::min(marks.size(), kMostLit); ++i) {
+    for (std::size_t i = 0; i < marks.size() && marks.size() <= kMostLit; ++i) {
       const glm::vec2 at = screen_.place(world, {track.pane(), {marks[i].x, marks[i].y}});
       canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
     }
   }
+  std::vector<int> named(static_cast<std::size_t>(panes));  // tracks of a pane, one below another
   for (const Track& track : course_->tracks) {
     if (panes == 1) break;
     const glm::vec2 at = screen_.place(world, {track.pane(), {0, 0}});
-    canvas.text(studio().sans, at + glm::vec2(6, 17) * scale, track.name(), theme::kSmall * scale,
-                theme::kCool);
+    const int above = named[static_cast<std::size_t>(track.pane())]++;
+    canvas.text(studio().sans, at + glm::vec2(6, 17 * (1 + above)) * scale, track.name(),
+                theme::kSmall * scale, track.ink());
   }
   canvas.clear_clip();
   const float left = theme::kMargin * scale, size = theme::kBody * scale;

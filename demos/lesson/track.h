@@ -43,6 +43,7 @@ class Track {
   const std::string& name() const { return name_; }
   const std::vector<std::string>& columns() const { return columns_; }
   int pane() const { return pane_; }
+  Srgb8 ink() const { return ink_; }
   std::size_t steps() const { return steps_.size(); }
   std::span<const Mark> all_marks() const { return marks_; }
   std::span<const Mark> marks(std::size_t step) const;
