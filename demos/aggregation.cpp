@@ -18,7 +18,7 @@ class AggregationDemo : public ClonableDemo<AggregationDemo, Lesson> {
                                   "it branches and never fills. 1 and 2: another run of chance.",
                       .resolution = 6,
                       .speed = 5},
-                     {number_knob("run", "1", "2", 1, 20, 1, 1, "", "another run of chance"),
+                     {number_knob("chance", "1", "2", 1, 20, 1, 1, "", "another run of chance"),
                       toggle_knob("ages", "a", true, "a colour for each sixth of the particles")}) {
   }
 

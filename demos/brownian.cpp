@@ -25,7 +25,7 @@ class Brownian : public ClonableDemo<Brownian, Lesson> {
                      {number_knob("Hurst", "1", "2", 0.1, 0.9, 0.1, 0.5, "",
                                   "of the line: 0.5 is Brownian motion"),
                       number_knob("levels", "3", "4", 1, 9, 1, 5, "", "how often it was halved"),
-                      number_knob("run", "5", "6", 1, 20, 1, 1, "", "another run of chance")}) {}
+                      number_knob("chance", "5", "6", 1, 20, 1, 1, "", "another run of chance")}) {}
 
  private:
   glm::ivec2 panes() const override { return {1, 2}; }

@@ -21,18 +21,19 @@ using Points = std::vector<glm::dvec2>;
 class Coastline : public ClonableDemo<Coastline, Lesson> {
  public:
   explicit Coastline(const DemoSetup& setup)
-      : ClonableDemo(setup,
-                     {.look_for = "Half the ruler, and the coast grows longer: more than twice as "
-                                  "many fit. The line's slope below is the dimension. 1, 2: size.",
-                      .resolution = 7,
-                      .speed = 3},
-                     {choice_knob("method", {"r", "x"}, {"rulers", "boxes"}, kRulers,
-                                  "dividers walked along it, or the boxes it needs"),
-                      choice_knob("coast", {"c"}, {"Koch", "by chance"}, kKoch,
-                                  "one of known dimension, or displaced midpoints"),
-                      number_knob("size", "1", "2", 0, kSizes - 1, 1, 1, "",
-                                  "how often the ruler was halved"),
-                      number_knob("run", "3", "4", 1, 20, 1, 5, "", "another coast by chance")}) {}
+      : ClonableDemo(
+            setup,
+            {.look_for = "Half the ruler, and the coast grows longer: more than twice as "
+                         "many fit. The line's slope below is the dimension. 1, 2: size.",
+             .resolution = 7,
+             .speed = 3},
+            {choice_knob("method", {"r", "x"}, {"rulers", "boxes"}, kRulers,
+                         "dividers walked along it, or the boxes it needs"),
+             choice_knob("coast", {"c"}, {"Koch", "by chance"}, kKoch,
+                         "one of known dimension, or displaced midpoints"),
+             number_knob("size", "1", "2", 0, kSizes - 1, 1, 1, "",
+                         "how often the ruler was halved"),
+             number_knob("chance", "3", "4", 1, 20, 1, 5, "", "another coast by chance")}) {}
 
  private:
   glm::ivec2 panes() const override { return {1, 2}; }

@@ -113,7 +113,9 @@ class FractalCompression : public ClonableDemo<FractalCompression, Lesson> {
     const FractalCode code = compress_fractally(picture, block, 8, studio().workers);
     Course course;
     course.papers.emplace_back(world().columns(), world().rows(), kPaper);
-    lay(picture, [&](int x, int y, Srgb8 grey) { course.papers[0].at(x, y) = grey; });
+    lay(picture, [&](int x, int y, Srgb8 grey) {
+      if (course.papers[0].contains(x, y)) course.papers[0].at(x, y) = grey;
+    });
     Track original("picture", {}, 0), track("from its maps", {"pass", "change", "PSNR dB"}, 1);
     FractalDecoder decoder(code);
     float change = 0;

@@ -141,7 +141,7 @@ class Plasma : public ClonableDemo<Plasma, Lesson> {
     } while (made.next());
     Course course;
     course.remarks = {
-        fmt::format("{}x{} heights", made.field.side, made.field.side),
+        fmt::format("place {}: {}x{} heights", knob(kSeed).value, made.field.side, made.field.side),
         fmt::format("dimension 3 - {:.1f} = {:.1f}", knob(kHurst).value, 3 - knob(kHurst).value)};
     course.tracks = {std::move(heights), std::move(landscape)};
     return course;

@@ -127,6 +127,9 @@ class SelfSimilarity : public ClonableDemo<SelfSimilarity, Lesson> {
                                   "a copy appears, with other surroundings",
                                   "another line, as rough as before"};
     course.remarks = {kSays[static_cast<std::size_t>(kind)]};
+    if (kind == kStatistical) {
+      course.remarks.push_back(fmt::format("heights by 2 to the power {:.1f}", knob(kHurst).value));
+    }
     return course;
   }
 };
