@@ -1,6 +1,7 @@
 // Lessons of curves and fractals, used as a user would, beside what is known of their figures.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
@@ -130,6 +131,29 @@ TEST(CurveLessons, ATurnedPolynomialIsAnotherCurve) {
   EXPECT_TRUE(tells(user, "leaves the hull"));
   user.drag(user.share(0.1, 0.5), user.share(0.2, 0.7));
   EXPECT_NE(user.lesson().fault().find("one above another"), std::string::npos);
+}
+
+TEST(CurveLessons, ABezierCurveHasTheDegreeOfItsPoints) {
+  LessonUser user("bezier");
+  const Track cubic = track(user, 0);
+  user.pass({key_down("4")});
+  const std::array points = {user.share(0.1, 0.8), user.share(0.2, 0.15), user.share(0.75, 0.1),
+                             user.share(0.9, 0.75), user.share(0.6, 0.9)};
+  const Track& quartic = track(user, 0);
+  for (std::size_t i = 0; i < quartic.steps(); i += 25) {
+    const double t = quartic.values(i)[0], s = 1 - t;
+    const glm::dvec2 sum = s * s * s * s * points[0] + 4 * s * s * s * t * points[1] +
+                           6 * s * s * t * t * points[2] + 4 * s * t * t * t * points[3] +
+                           t * t * t * t * points[4];
+    EXPECT_LT(glm::distance(point(quartic, i), sum), 1e-9) << t;
+  }
+  EXPECT_GT(apart(cubic, quartic), 1);
+  user.pass({key_down("c")});
+  // Two polygons of four legs, which meet at the point of the curve at t = 0.4.
+  const std::vector<Guide>& legs = user.lesson().course().guides;
+  ASSERT_EQ(legs.size(), 8u);
+  EXPECT_EQ(legs[3].to, legs[4].from);
+  EXPECT_LT(glm::distance(legs[3].to, point(track(user, 0), 80)), 1e-9);
 }
 
 TEST(FractalLessons, TheChaosGameLeavesTheMiddleOfItsTriangleEmpty) {

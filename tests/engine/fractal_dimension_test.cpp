@@ -72,7 +72,7 @@ TEST(GeneratorCurve, KochsGeneratorDrawsTheLSystemsCurve) {
 
 TEST(GyrationDimension, ALineIsOneAndADiscIsTwo) {
   std::vector<glm::ivec2> line, disc;
-  for (int i = 0; i < 500; ++i) line.emplace_back(i % 2 ? -i / 2 : i / 2, 7);
+  for (int i = 0; i < 500; ++i) line.emplace_back(i % 2 ? -(i + 1) / 2 : i / 2, 7);
   for (int r = 0; r < 40; ++r) {
     for (int y = -r; y <= r; ++y) {
       for (int x = -r; x <= r; ++x) {
