@@ -4,8 +4,9 @@
 #include <set>
 
 #include "demos/lesson/chart.h"
-#include "engine/fractals/brownian.h"
 #include "engine/fractals/dimension.h"
+#include "engine/fractals/generator_curve.h"
+#include "engine/fractals/random.h"
 #include "engine/fractals/turtle.h"
 
 namespace kinescope {
@@ -30,13 +31,23 @@ class Coastline : public ClonableDemo<Coastline, Lesson> {
             {choice_knob("method", {"r", "x"}, {"rulers", "boxes"}, kRulers,
                          "dividers walked along it, or the boxes it needs"),
              choice_knob("coast", {"c"}, {"Koch", "by chance"}, kKoch,
-                         "one of known dimension, or displaced midpoints"),
+                         "its bumps on one side, or on either by lot"),
              number_knob("size", "1", "2", 0, kSizes - 1, 1, 1, "",
                          "how often the ruler was halved"),
              number_knob("chance", "3", "4", 1, 20, 1, 5, "", "another coast by chance")}) {}
 
  private:
   glm::ivec2 panes() const override { return {1, 2}; }
+
+  /// Koch's curve whose bumps go to either side by lot: as rough, but never the same.
+  static void bend(Points& points, const glm::dvec2& to, int generations, SeededRandom& random) {
+    if (generations == 0) return points.push_back(to);
+    const glm::dvec2 from = points.back();
+    const double height = std::sqrt(3.0) / (random.uniform() < 0.5 ? 6 : -6);
+    for (const glm::dvec2& p : {glm::dvec2(1 / 3.0, 0), {0.5, height}, {2 / 3.0, 0}, {1, 0}}) {
+      bend(points, on_line(p, from, to), generations - 1, random);
+    }
+  }
 
   Points coast() const {
     Points points;
@@ -45,12 +56,9 @@ class Coastline : public ClonableDemo<Coastline, Lesson> {
       draw_l_system(l_system_preset("koch"), 5,
                     [&](const glm::dvec2&, const glm::dvec2& to) { points.push_back(to); });
     } else {
-      MidpointLine line(0.75, static_cast<std::uint64_t>(knob(kSeed).value));
-      for (int level = 0; level < 10; ++level) line.next();
-      const double last = static_cast<double>(line.heights.size() - 1);
-      for (std::size_t i = 0; i < line.heights.size(); ++i) {
-        points.emplace_back(double(i) / last, 0.3 * line.heights[i]);
-      }
+      SeededRandom random(static_cast<std::uint64_t>(knob(kSeed).value));
+      points.emplace_back(0, 0);
+      bend(points, {1, 0}, 5, random);
     }
     FittedFigure figure;
     for (const glm::dvec2& p : points) figure.hold(p);
@@ -146,12 +154,14 @@ class Coastline : public ClonableDemo<Coastline, Lesson> {
     shore.step({});
     course.tracks = {std::move(shore), plotted(course, coverings, fit.dimension),
                      boxes ? covered(coast, now.size) : walked(coast, now.size)};
-    course.remarks = {boxes ? fmt::format("boxes of {:.2f} pixels: {:.0f}", now.size, now.count)
-                            : fmt::format("rulers of {:.2f} pixels: {:.2f}", now.size, now.count),
-                      boxes ? "" : fmt::format("so the coast is {:.1f} long", now.size * now.count),
-                      fmt::format("dimension by all sizes: {:.3f}", fit.dimension),
-                      knob(kCoast).index() == kKoch ? "Koch's is log 4 / log 3 = 1.262"
-                                                    : "by chance, of exponent 0.75: 1.25"};
+    if (boxes) {
+      course.remarks = {fmt::format("boxes of {:.2f} pixels: {:.0f}", now.size, now.count)};
+    } else {
+      course.remarks = {fmt::format("rulers of {:.2f} pixels: {:.2f}", now.size, now.count),
+                        fmt::format("so the coast is {:.1f} long", now.size * now.count)};
+    }
+    course.remarks.push_back(fmt::format("dimension by all sizes: {:.3f}", fit.dimension));
+    course.remarks.push_back("by similarity: log 4 / log 3 = 1.262");
     return course;
   }
 };

@@ -29,6 +29,12 @@ Srgb8 colour_of(int time, int most) {
   return {channel(0), channel(1), channel(2.2), 255};
 }
 
+/// As many digits as the panel has room for, and the exponent.
+std::string shortened(const std::string& number) {
+  const std::size_t end = std::min(number.find('e'), number.size());
+  return number.substr(0, std::min<std::size_t>(end, 18)) + number.substr(end);
+}
+
 class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
  public:
   explicit Mandelbrot(const DemoSetup& setup)
@@ -114,8 +120,7 @@ class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
     Course course;
     course.tracks.push_back(std::move(track));
     const DeepView view = shown();
-    course.remarks = {"centre " + view.centre_x.substr(0, 24),
-                      "   and " + view.centre_y.substr(0, 24),
+    course.remarks = {"centre " + shortened(view.centre_x), "   and " + shortened(view.centre_y),
                       fmt::format("a pixel is {:.3g} wide", view.step)};
     return course;
   }
