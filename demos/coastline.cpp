@@ -110,7 +110,7 @@ class Coastline : public ClonableDemo<Coastline, Lesson> {
       const glm::dvec2 low = box * glm::dvec2(i, j), high = low + box;
       for (int y = static_cast<int>(std::ceil(low.y)); y < high.y; ++y) {
         ink_line(track, world(), {std::ceil(low.x), y + 0.5}, {high.x - 0.5, y + 0.5},
-                 theme::with_alpha(boxes.size() % 2 ? theme::kAccent : theme::kCool, 110));
+                 theme::with_alpha((i + j) % 2 != 0 ? theme::kAccent : theme::kCool, 110));
       }
       track.step({double(i), double(j), double(boxes.size())});
     }
