@@ -3,38 +3,44 @@
 
 #include <array>
 
-#include "demos/lesson/ink_lines.h"
-#include "demos/lesson/lesson.h"
+#include "demos/lesson/chart.h"
 #include "engine/curves/bezier.h"
 #include "engine/curves/convex_hull.h"
 
 namespace kinescope {
 namespace {
 
-enum { kParameter, kHull };
+enum { kParameter, kPoints, kHull, kCut };
 
 constexpr int kSteps = 200;
 
 class Bezier : public ClonableDemo<Bezier, Lesson> {
  public:
   explicit Bezier(const DemoSetup& setup)
-      : ClonableDemo(setup,
-                     {.look_for = "Each rung divides the legs of the one above in the same share; "
-                                  "the last point is the curve's. Drag points; 1 and 2 move t.",
-                      .handles = {{"p0", {0.1, 0.8}},
-                                  {"p1", {0.2, 0.15}},
-                                  {"p2", {0.75, 0.1}},
-                                  {"p3", {0.9, 0.75}}},
-                      .resolution = 4,
-                      .speed = 4},
-                     {number_knob("t", "1", "2", 0, 1, 0.05, 0.4, "", "of the ladder shown"),
-                      toggle_knob("hull", "h", false, "the points' convex hull holds the curve")}) {
+      : ClonableDemo(
+            setup,
+            {.look_for = "Each rung divides the legs of the one above in the same share; the "
+                         "last point is the curve's. 1, 2 move t; c cuts the curve there.",
+             .handles = {{"p0", {0.1, 0.8}},
+                         {"p1", {0.2, 0.15}},
+                         {"p2", {0.75, 0.1}},
+                         {"p3", {0.9, 0.75}},
+                         {"p4", {0.6, 0.9}},
+                         {"p5", {0.4, 0.6}}},
+             .resolution = 4,
+             .speed = 4},
+            {number_knob("t", "1", "2", 0, 1, 0.05, 0.4, "", "of the ladder shown"),
+             number_knob("points", "3", "4", 2, 6, 1, 4, "", "one more than the degree"),
+             toggle_knob("hull", "h", false, "the points' convex hull holds the curve"),
+             toggle_knob("cut", "c", false, "two curves of the same degree: the ladder's sides")}) {
   }
 
  private:
+  bool handle_in(int handle, int) const override { return handle < knob(kPoints).index(); }
+
   Course record() const override {
     std::vector<glm::dvec2> control;
-    for (int i = 0; i < 4; ++i) pixel(i), control.push_back(corner(i));
+    for (int i = 0; i < knob(kPoints).index(); ++i) pixel(i), control.push_back(corner(i));
     const std::span<const glm::dvec2> points(control);
     Course course;
     Track track("de Casteljau", {"t", "x", "y"});
@@ -46,27 +52,32 @@ class Bezier : public ClonableDemo<Bezier, Lesson> {
       track.step({t, p.x, p.y});
     }
     course.tracks.push_back(std::move(track));
-    constexpr std::array kInks = {theme::kCool, theme::kAccent, theme::kGreen, theme::kRed};
+    constexpr std::array kInks = {theme::kCool, theme::kAccent, theme::kGreen,
+                                  theme::kRed,  theme::kBlue,   theme::kText};
     DeCasteljau<glm::dvec2> ladder(points, knob(kParameter).value);
     while (ladder.next()) {
     }
-    for (std::size_t r = 0; r < ladder.rungs().size(); ++r) {
-      const auto& rung = ladder.rungs()[r];
-      for (std::size_t i = 0; i + 1 < rung.size(); ++i) {
-        course.guides.push_back({rung[i], rung[i + 1], kInks[r % kInks.size()]});
+    if (knob(kCut).on()) {
+      const auto halves = bezier_split(points, ladder.t());
+      guide_chain(course, halves.before, theme::kGreen);
+      guide_chain(course, halves.after, theme::kRed);
+    } else {
+      for (std::size_t r = 0; r < ladder.rungs().size(); ++r) {
+        guide_chain(course, ladder.rungs()[r], kInks[r]);
       }
     }
     const glm::dvec2 at = ladder.rungs().back()[0];
     course.remarks.push_back(
         fmt::format("at t = {:.2f}: ({:.2f}, {:.2f})", ladder.t(), at.x, at.y));
-    const std::vector<double> weight = bernstein(3, ladder.t());
-    course.remarks.push_back(fmt::format("weights {:.3f} {:.3f} {:.3f} {:.3f}", weight[0],
-                                         weight[1], weight[2], weight[3]));
+    std::string weights = "weights";
+    for (const double w : bernstein(static_cast<int>(points.size()) - 1, ladder.t())) {
+      weights += fmt::format(" {:.3f}", w);
+    }
+    course.remarks.push_back(weights);
     if (knob(kHull).on()) {
-      const auto hull = convex_hull(points);
-      for (std::size_t i = 0; i < hull.size(); ++i) {
-        course.guides.push_back({hull[i], hull[(i + 1) % hull.size()], theme::kDim});
-      }
+      std::vector<glm::dvec2> hull = convex_hull(points);
+      hull.push_back(hull.front());
+      guide_chain(course, hull, theme::kDim);
     }
     return course;
   }
@@ -83,7 +94,7 @@ DemoInfo bezier_demo() {
           create,
           1,
           "drag a control point",
-          {"Bezier (de Casteljau, Bernstein)", "convex hull"}};
+          {"Bezier of any degree (de Casteljau, Bernstein, subdivision)", "convex hull"}};
 }
 
 }  // namespace kinescope

@@ -1,4 +1,5 @@
-// The Mandelbrot set and its Julia sets, row by row; a click goes deeper, far below doubles.
+// The Mandelbrot set and its Julia sets, coarse cells first, then finer; a click goes deeper, far
+// below doubles.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,6 +16,7 @@ enum { kSet, kIterations, kReal, kImaginary };
 enum { kMandelbrot, kJulia };
 
 constexpr double kWholeWidth = 3.4;
+constexpr int kCoarsest = 16;  // pixels of a cell
 // Finer steps are told apart by perturbation only.
 constexpr double kFinestDouble = 1e-13, kFinest = 1e-250;
 
@@ -27,12 +29,18 @@ Srgb8 colour_of(int time, int most) {
   return {channel(0), channel(1), channel(2.2), 255};
 }
 
+/// As many digits as the panel has room for, and the exponent.
+std::string shortened(const std::string& number) {
+  const std::size_t end = std::min(number.find('e'), number.size());
+  return number.substr(0, std::min<std::size_t>(end, 18)) + number.substr(end);
+}
+
 class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
  public:
   explicit Mandelbrot(const DemoSetup& setup)
       : ClonableDemo(
             setup,
-            {.look_for = "Black points never leave. Click to go twice as deep there, "
+            {.look_for = "Black points never leave. Coarse cells first. Click to go twice as deep, "
                          "right-click to come back; below 1e-13 one exact orbit guides all.",
              .resolution = 6,
              .speed = 5},
@@ -67,38 +75,60 @@ class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
     return true;
   }
 
-  std::vector<std::int32_t> times(const DeepView& view) const {
-    const bool julia = knob(kSet).index() == kJulia;
-    if (!julia && view.step < kFinestDouble) return deep_escape_times(view, studio().workers);
+  std::vector<std::int32_t> times(const DeepView& view, bool deep) const {
+    if (deep) return deep_escape_times(view, studio().workers);
     EscapeView plain;
     plain.centre = {std::stod(view.centre_x), std::stod(view.centre_y)};
     plain.step = view.step;
     plain.width = view.width;
     plain.height = view.height;
     plain.most = view.most;
-    if (julia) plain.julia = glm::dvec2(knob(kReal).value, knob(kImaginary).value);
+    if (julia()) plain.julia = glm::dvec2(knob(kReal).value, knob(kImaginary).value);
     return escape_times(plain, studio().workers);
   }
+  bool julia() const { return knob(kSet).index() == kJulia; }
 
-  Course record() const override {
-    const DeepView view = shown();
-    const std::vector<std::int32_t> time = times(view);
-    Track track("escape times", {"row", "inside"});
-    for (int j = 0, k = 0; j < view.height; ++j) {
+  /// Every pixel that is a whole number of cells from the middle one, drawn as large as a cell.
+  void draw_pass(Track& track, int cell) const {
+    const DeepView fine = shown();
+    const glm::ivec2 size(fine.width, fine.height), first = size / 2 % cell;
+    DeepView coarse = fine;
+    coarse.step *= cell;
+    coarse.width = (size.x - first.x + cell - 1) / cell;
+    coarse.height = (size.y - first.y + cell - 1) / cell;
+    const auto time = times(coarse, !julia() && fine.step < kFinestDouble);
+    // What the first cell leaves at an edge is its own.
+    const auto begin = [&](int i, int from) { return i == 0 ? 0 : from + i * cell; };
+    for (int j = 0, k = 0; j < coarse.height; ++j) {
       int inside = 0;
-      for (int i = 0; i < view.width; ++i, ++k) {
+      for (int i = 0; i < coarse.width; ++i, ++k) {
         const std::int32_t t = time[static_cast<std::size_t>(k)];
-        inside += t >= view.most;
-        track.plot(i, j, colour_of(t, view.most));
+        inside += t >= fine.most;
+        const Srgb8 ink = colour_of(t, fine.most);
+        for (int y = begin(j, first.y); y < std::min(begin(j + 1, first.y), size.y); ++y) {
+          track.span({y, begin(i, first.x), std::min(begin(i + 1, first.x), size.x)}, ink);
+        }
       }
-      track.step({double(j), double(inside)});
+      track.step({double(cell), double(first.y + j * cell), double(inside)});
     }
+  }
+
+  /// The coarsest pass; each part after it halves the cells.
+  Course record() const override {
+    Track track("escape times", {"cell", "row", "inside"});
+    draw_pass(track, kCoarsest);
     Course course;
     course.tracks.push_back(std::move(track));
-    course.remarks = {"centre " + view.centre_x.substr(0, 24),
-                      "   and " + view.centre_y.substr(0, 24),
+    const DeepView view = shown();
+    course.remarks = {"centre " + shortened(view.centre_x), "   and " + shortened(view.centre_y),
                       fmt::format("a pixel is {:.3g} wide", view.step)};
     return course;
+  }
+  bool refine(Course& course, int parts) const override {
+    const int cell = kCoarsest >> parts;
+    if (cell == 0) return false;
+    draw_pass(course.tracks[0], cell);
+    return true;
   }
 
   DeepView view_;  // step: the width of the picture

@@ -41,6 +41,19 @@ DemoInfo l_systems_demo();
 DemoInfo mandelbrot_demo();
 DemoInfo bezier_demo();
 DemoInfo b_splines_demo();
+DemoInfo splines_demo();
+DemoInfo continuity_demo();
+DemoInfo nurbs_demo();
+DemoInfo curve_properties_demo();
+DemoInfo iterated_functions_demo();
+DemoInfo gaskets_demo();
+DemoInfo plasma_demo();
+DemoInfo brownian_demo();
+DemoInfo aggregation_demo();
+DemoInfo coastline_demo();
+DemoInfo fractal_compression_demo();
+DemoInfo self_similarity_demo();
+DemoInfo generator_curves_demo();
 DemoInfo line_clipping_demo();
 DemoInfo window_to_viewport_demo();
 DemoInfo polygon_clipping_demo();
@@ -103,6 +116,19 @@ std::span<const DemoInfo> all_demos() {
                                     mandelbrot_demo(),
                                     bezier_demo(),
                                     b_splines_demo(),
+                                    splines_demo(),
+                                    continuity_demo(),
+                                    nurbs_demo(),
+                                    curve_properties_demo(),
+                                    iterated_functions_demo(),
+                                    gaskets_demo(),
+                                    plasma_demo(),
+                                    brownian_demo(),
+                                    aggregation_demo(),
+                                    coastline_demo(),
+                                    fractal_compression_demo(),
+                                    self_similarity_demo(),
+                                    generator_curves_demo(),
                                     line_clipping_demo(),
                                     window_to_viewport_demo(),
                                     polygon_clipping_demo(),

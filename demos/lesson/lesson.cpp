@@ -11,8 +11,6 @@
 namespace kinescope {
 namespace {
 
-constexpr Srgb8 kPaper{20, 20, 26, 255};  // so that borders of unlit pixels show
-
 enum { kDisplay, kResolution, kSpeed, kRunning };  // of the lesson's own knobs
 
 std::vector<Knob> with_lesson_knobs(std::vector<Knob> own, const LessonPlan& plan) {
@@ -115,7 +113,15 @@ void Lesson::run_anew(Begin begin) {
   }
   course_ = std::move(scene);
   different_ = std::move(different);
+  parts_ = 1;
   playback_.go_to(at_end ? steps() : std::min(stay, steps()));
+  stale_ = true;
+}
+
+void Lesson::run_finer() {
+  auto finer = std::make_shared<Course>(*course_);
+  parts_ = refine(*finer, parts_) ? parts_ + 1 : 0;
+  if (parts_ > 0) course_ = std::move(finer);
   stale_ = true;
 }
 
@@ -147,6 +153,7 @@ void Lesson::update(const Step& step) {
     stale_ |=
         playback_.pass(step.exposure.length().count(), knob(own_knobs_ + kSpeed).index(), steps());
   }
+  if (parts_ > 0 && playback_.shown() == steps()) run_finer();
 }
 
 /// @return whether the input changed
@@ -192,6 +199,15 @@ bool Lesson::take_mouse(const InputEvent& event) {
     return true;
   }
   return answer(event, screen_.spot(world(), event.x, event.y));
+}
+
+/// Of fields: a figure's is always there.
+bool Lesson::handle_shown(int handle) const {
+  if (handle >= static_cast<int>(plan_.handles.size())) return true;
+  bool shown = false;
+  const glm::ivec2 grid = panes();
+  for (int pane = 0; pane < grid.x * grid.y; ++pane) shown |= handle_in(handle, pane);
+  return shown;
 }
 
 int Lesson::handle_near(const InputEvent& event) const {
@@ -284,7 +300,9 @@ bool Lesson::take_typed(const InputEvent& event) {
     const bool changed = !field_.text.empty();
     if (!accept()) return false;
     if (tab) {
-      focus_on((focus_ + 1) % fields);
+      do {
+        focus_on((focus_ + 1) % fields);
+      } while (!handle_shown(focus_));
     } else {
       focus_ = kNoField;
     }

@@ -57,7 +57,7 @@ struct Overlay {
 /// What there is to see for the input as it stands.
 struct Course {
   std::vector<Track> tracks;
-  std::vector<Image<Srgb8>> papers;  ///< of the panes before the first step; black if there is none
+  std::vector<Image<Srgb8>> papers;  ///< of the panes before the first step; plain if there is none
   std::vector<Guide> guides;
   std::vector<std::string> remarks;  ///< what came out, a line each
   /// For what is drawn anew each step, such as what moves: the paper of a pane, and what lies over
@@ -81,6 +81,7 @@ struct LessonPlan {
 class Lesson : public Demo {
  public:
   static constexpr std::array kCells = {32, 20, 16, 10, 8, 5, 4, 2};
+  static constexpr Srgb8 kPaper{20, 20, 26, 255};  ///< so that borders of unlit pixels show
 
   ~Lesson() override;
   bool typing() const override { return focus_ != kNoField; }
@@ -114,6 +115,9 @@ class Lesson : public Demo {
     const int only = plan_.handles[static_cast<std::size_t>(handle)].pane;
     return only < 0 || only == pane;
   }
+  /// Makes a course that is recorded in parts finer by one; false if it is whole. Called once a
+  /// step while all that is recorded has been shown. @param parts how many there are
+  virtual bool refine(Course&, int /*parts*/) const { return false; }
   /// Events that are nobody else's; `at` in the pane under the mouse. @return whether it changed
   /// the input
   virtual bool answer(const InputEvent&, LessonScreen::Spot /*at*/) { return false; }
@@ -156,6 +160,8 @@ class Lesson : public Demo {
   void draw(const Step& step, Image<Srgb8>& picture) override;
   void resized() override;
   void follow_world();
+  void run_finer();
+  bool handle_shown(int handle) const;
   bool take(const InputEvent& event);
   bool take_mouse(const InputEvent& event);
   bool press(int x, int y);
@@ -189,6 +195,7 @@ class Lesson : public Demo {
   World last_world_;
   std::shared_ptr<const Course> course_ = std::make_shared<Course>();
   std::shared_ptr<const std::vector<std::vector<Mark>>> different_;  // of the first two tracks
+  int parts_ = 0;  // of the course that are recorded; 0 once it is whole
   Playback playback_;
   std::string fault_, typing_fault_;
   int focus_ = kNoField, held_ = kNoHandle, held_pane_ = 0, held_slider_ = -1;

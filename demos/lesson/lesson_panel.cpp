@@ -48,7 +48,11 @@ void Lesson::draw_fields(Form& form) const {
   // Many corners are shown in the picture; their fields would fill the panel.
   constexpr std::size_t kMostFields = 4;
   const std::size_t points = plan_.handles.size();
-  for (std::size_t i = 0; i < std::min(points, kMostFields); ++i) field(i, plan_.handles[i].label);
+  for (std::size_t i = 0, shown = 0; i < points && shown < kMostFields; ++i) {
+    if (!handle_shown(static_cast<int>(i))) continue;
+    field(i, plan_.handles[i].label);
+    ++shown;
+  }
   for (std::size_t i = 0; i < plan_.figures.size(); ++i) {
     const Figure& f = plan_.figures[i];
     field(points + i, f.label);
@@ -136,7 +140,7 @@ void Lesson::draw_state(Form& form) const {
       }
     }
     const auto left = static_cast<float>(together ? 1 : tracks.size() - i);
-    if (!track.columns().empty()) {
+    if (!track.columns().empty() || beside) {
       form.table(table(track, beside), form.y() + (bottom - form.y()) / left);
     }
     if (together) break;

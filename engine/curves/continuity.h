@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <span>
 
 #include "engine/curves/bezier.h"
@@ -58,6 +59,23 @@ JointMeasure<Vec> measure_joint(const CurveEnd<Vec>& before, const CurveEnd<Vec>
   if (c1) m.continuity = Continuity::kC1;
   if (c1 && near(m.second_step, before.second, after.second)) m.continuity = Continuity::kC2;
   return m;
+}
+
+/// Point and derivatives of a Bezier curve at t.
+template <typename Vec>
+CurveEnd<Vec> bezier_at(std::span<const Vec> control, double t) {
+  const std::vector<Vec> first = bezier_derivative(control);
+  const std::vector<Vec> second = bezier_derivative(std::span<const Vec>(first));
+  return {bezier_point(control, t), bezier_point(std::span<const Vec>(first), t),
+          bezier_point(std::span<const Vec>(second), t)};
+}
+
+/// Of a plane curve: 1 over the radius of the circle that touches it there, positive where it turns
+/// from x towards y; 0 where it stands still.
+inline double curvature(const CurveEnd<glm::dvec2>& at) {
+  const double speed = glm::length(at.first);
+  if (!(speed > 0.0)) return 0.0;
+  return (at.first.x * at.second.y - at.first.y * at.second.x) / (speed * speed * speed);
 }
 
 /// A Bezier curve's start or end; `length` is the stretch of parameter that it takes, to which its

@@ -9,6 +9,23 @@
 
 namespace kinescope {
 
+double moran_dimension(std::span<const double> ratios) {
+  const auto sum = [&](double d) {
+    double all = 0.0;
+    for (const double ratio : ratios) all += std::pow(ratio, d);
+    return all;
+  };
+  const auto bad = [](double ratio) { return !(ratio > 0.0 && ratio < 1.0); };
+  if (ratios.size() < 2 || std::any_of(ratios.begin(), ratios.end(), bad)) return INFINITY;
+  double low = 0.0, high = 1.0;  // the sum falls as d grows
+  while (sum(high) > 1.0) high *= 2.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (sum(middle) > 1.0 ? low : high) = middle;
+  }
+  return high;
+}
+
 DimensionFit fit_dimension(std::span<const Covering> coverings) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
   for (const Covering& c : coverings) {
@@ -42,6 +59,25 @@ std::vector<Covering> count_boxes(std::span<const glm::dvec2> points,
     coverings.push_back({size, static_cast<double>(end - boxes.begin())});
   }
   return coverings;
+}
+
+double gyration_dimension(std::span<const glm::ivec2> particles) {
+  if (particles.size() < 32) return 0.0;
+  glm::dvec2 sum(0.0);
+  double squares = 0.0;
+  // Least squares of log radius over log N; large N lie close together there, and count for less.
+  double w = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const glm::dvec2 p(particles[i]);
+    const auto n = static_cast<double>(i + 1);
+    sum += p;
+    squares += glm::dot(p, p);
+    if (i < particles.size() / 16) continue;
+    const double size = std::log(n);
+    const double radius = 0.5 * std::log(squares / n - glm::dot(sum, sum) / (n * n));
+    w += 1 / n, x += size / n, y += radius / n, xx += size * size / n, xy += size * radius / n;
+  }
+  return (w * xx - x * x) / (w * xy - x * y);
 }
 
 RulerWalk walk_coast(std::span<const glm::dvec2> coast, double ruler) {

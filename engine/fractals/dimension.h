@@ -16,6 +16,10 @@ inline double similarity_dimension(double copies, double ratio) {
   return std::log(copies) / -std::log(ratio);
 }
 
+/// Of a figure made of copies of itself of several ratios: the d with sum of ratio^d = 1.
+/// @return infinity unless there are two or more ratios above 0, all below 1. Source: Moran, 1946
+double moran_dimension(std::span<const double> ratios);
+
 /// How many pieces of what size were needed.
 struct Covering {
   double size = 0.0;
@@ -33,6 +37,10 @@ DimensionFit fit_dimension(std::span<const Covering> coverings);
 /// The boxes of a grid that hold a point, for each size.
 std::vector<Covering> count_boxes(std::span<const glm::dvec2> points,
                                   std::span<const double> sizes);
+
+/// Of a cluster, by how its radius of gyration grows with its particles, in their order of arrival:
+/// as N^(1 / dimension). 0 for fewer than 32.
+double gyration_dimension(std::span<const glm::ivec2> particles);
 
 /// Points no further apart than `spacing` along a segment, for counting the boxes of a line.
 template <typename Sink>

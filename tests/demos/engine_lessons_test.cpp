@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "engine/clip/liang_barsky.h"
 #include "engine/fractals/escape_time.h"
 #include "lesson_user.h"
@@ -44,13 +46,34 @@ TEST(EngineLessons, AClickHalvesTheMandelbrotSetsView) {
   view.height = static_cast<int>(user.size().y);
   view.step = 1.7 / view.width;
   view.most = 200;
+  // What the first cells of a pass say of a row, the last pass says too.
+  for (int pass = 0; pass < 5; ++pass) user.pass({key_down("End")});
   const Track& track = user.lesson().course().tracks.at(0);
-  ASSERT_EQ(track.steps(), static_cast<std::size_t>(view.height));
-  for (int j = 0; j < view.height; ++j) {
+  std::set<double> cells;
+  int rows = 0;
+  for (std::size_t i = 0; i < track.steps(); ++i) {
+    const auto cell = static_cast<int>(track.values(i)[0]),
+               j = static_cast<int>(track.values(i)[1]);
     int inside = 0;
-    for (int i = 0; i < view.width; ++i) inside += escape_time(view, i, j) >= view.most;
-    EXPECT_EQ(track.values(static_cast<std::size_t>(j))[1], inside) << j;
+    for (int x = view.width / 2 % cell; x < view.width; x += cell) {
+      inside += escape_time(view, x, j) >= view.most;
+    }
+    EXPECT_EQ(track.values(i)[2], inside) << j << " by cells of " << cell;
+    cells.insert(cell);
+    rows += cell == 1;
   }
+  EXPECT_EQ(cells, (std::set<double>{1, 2, 4, 8, 16}));
+  EXPECT_EQ(rows, view.height);
+}
+
+TEST(EngineLessons, TheSetIsRecordedFinerOnlyAsItIsShown) {
+  LessonUser user("mandelbrot");
+  const std::size_t first = user.lesson().course().tracks.at(0).steps();
+  user.pass({key_down("Home"), key_down("n")});  // by hand
+  EXPECT_EQ(user.lesson().course().tracks.at(0).steps(), first);
+  for (std::size_t i = 1; i < first; ++i) user.pass({key_down("n")});
+  EXPECT_EQ(user.lesson().shown(), first);
+  EXPECT_GT(user.lesson().course().tracks.at(0).steps(), first);
 }
 
 }  // namespace

@@ -91,7 +91,21 @@ INSTANTIATE_TEST_SUITE_P(
         Golden{"practical-5", "practical-5", 3, "1 key End\n"},
         Golden{"practical-6", "practical-6", 3, "1 key End\n"},
         Golden{"practical-11", "practical-11", 30, "0 key 2\n0 key k\n0 key k\n"},
-        Golden{"practical-12", "practical-12", 60, "0 key g\n"}),
+        Golden{"practical-12", "practical-12", 60, "0 key g\n"},
+        Golden{"splines", "splines", 4, "1 key End\n"},
+        Golden{"continuity", "continuity", 4, "0 key k\n1 key End\n"},
+        Golden{"nurbs", "nurbs", 4, "0 key 3\n1 key End\n"},
+        Golden{"curve-properties", "curve-properties", 4, "1 key End\n"},
+        Golden{"iterated-functions", "iterated-functions", 4, "0 key 2\n1 key End\n"},
+        Golden{"gaskets", "gaskets", 4, "1 key End\n"},
+        Golden{"generator-curves", "generator-curves", 4, "1 key End\n"},
+        Golden{"plasma", "plasma", 4, "1 key End\n"},
+        Golden{"brownian", "brownian", 4, "1 key End\n"},
+        Golden{"aggregation", "aggregation", 4, "1 key End\n"},
+        Golden{"coastline", "coastline", 4, "1 key End\n"},
+        Golden{"fractal-compression", "fractal-compression", 4, "1 key End\n"},
+        Golden{"self-similarity", "self-similarity", 4, "1 key End\n"},
+        Golden{"mandelbrot", "mandelbrot", 4, "0 key Home\n1 key End\n2 key End\n3 key End\n"}),
     [](const auto& golden) {
       std::string name = golden.param.file;
       std::erase(name, '-');

@@ -195,6 +195,17 @@ TEST(Continuity, TellsTheClassesApart) {
   EXPECT_EQ(joint({{NAN, 0}, {4, 0}, {4, 0}, {4, 0}}).continuity, Continuity::kNone);
 }
 
+TEST(Curvature, IsTheTouchingCirclesOfAParabola) {
+  const std::vector<Vec> parabola = {{-1, 1}, {0, -1}, {1, 1}};  // y = x^2, x = 2t - 1
+  for (const double t : {0.0, 0.3, 0.5, 1.0}) {
+    const CurveEnd<Vec> at = bezier_at(std::span<const Vec>(parabola), t);
+    const double x = 2 * t - 1;
+    EXPECT_NEAR(at.point.y, x * x, 1e-12);
+    EXPECT_NEAR(curvature(at), 2 / std::pow(1 + 4 * x * x, 1.5), 1e-12);
+  }
+  EXPECT_EQ(curvature(CurveEnd<Vec>{{0, 0}, {0, 0}, {1, 1}}), 0) << "where it stands still";
+}
+
 TEST(Cubic, WeightsSumToOneAndAgree) {
   blending_functions(cubic_bezier_weights, 64, [](double t, const CubicWeights& w) {
     const std::vector<double> b = bernstein(3, t);

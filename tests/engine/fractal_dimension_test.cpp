@@ -2,11 +2,13 @@
 // give. Boxes count a few octaves only: tolerances say how far such counts lie from the limit.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "engine/fractals/brownian.h"
 #include "engine/fractals/dimension.h"
 #include "engine/fractals/dla.h"
+#include "engine/fractals/generator_curve.h"
 #include "engine/fractals/plasma.h"
 #include "engine/fractals/turtle.h"
 
@@ -41,24 +43,51 @@ TEST(BoxDimension, ArrowheadIsSierpinskis) {
   EXPECT_NEAR(boxed(points, {0.25, 0.125, 0.0625, 0.03125, 0.015625}), std::log2(3.0), 0.06);
 }
 
-// Boxes are too few for a cluster of some thousand particles. Its radius of gyration grows with
-// N^(1/D); one cluster's slope is off by some 0.05.
-double gyration_dimension(const std::vector<glm::ivec2>& particles) {
-  glm::dvec2 sum(0);
-  double squares = 0, w = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const glm::dvec2 p(particles[i]);
-    const double n = static_cast<double>(i + 1);
-    sum += p;
-    squares += glm::dot(p, p);
-    if (i < particles.size() / 16) continue;
-    const double size = std::log(n);
-    const double radius = 0.5 * std::log(squares / n - glm::dot(sum, sum) / (n * n));
-    w += 1 / n, x += size / n, y += radius / n, xx += size * size / n, xy += size * radius / n;
-  }
-  return (w * xx - x * x) / (w * xy - x * y);
+TEST(MoranDimension, SolvesForUnequalCopies) {
+  const std::array koch = {1 / 3.0, 1 / 3.0, 1 / 3.0, 1 / 3.0};
+  EXPECT_NEAR(moran_dimension(koch), std::log(4) / std::log(3), 1e-12);
+  // x + x^2 = 1 at x = 2^-d: the golden ratio.
+  const std::array unequal = {0.5, 0.25};
+  EXPECT_NEAR(moran_dimension(unequal), std::log2((1 + std::sqrt(5.0)) / 2), 1e-12);
+  EXPECT_EQ(moran_dimension(std::array{0.5, 1.0}), INFINITY);
+  EXPECT_EQ(moran_dimension(std::array{0.5}), INFINITY);
 }
 
+// The plane's own construction, without a turtle: lengths and ends are Koch's.
+TEST(GeneratorCurve, KochsGeneratorDrawsTheLSystemsCurve) {
+  const std::array between = {Vec(1 / 3.0, 0), Vec(0.5, std::sqrt(3) / 6), Vec(2 / 3.0, 0)};
+  std::vector<Vec> ends, turtles;
+  generator_curve(between, {0, 0}, {1, 0}, 4,
+                  [&](const Vec&, const Vec& to) { ends.push_back(to); });
+  draw_l_system(l_system_preset("koch"), 4,
+                [&](const Vec&, const Vec& to) { turtles.push_back(to); });
+  ASSERT_EQ(ends.size(), 256u);
+  ASSERT_EQ(turtles.size(), ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    EXPECT_NEAR(ends[i].x, turtles[i].x, 1e-12);
+    EXPECT_NEAR(ends[i].y, turtles[i].y, 1e-12);
+  }
+  EXPECT_EQ(generator_lines(3, 4), 256);
+}
+
+TEST(GyrationDimension, ALineIsOneAndADiscIsTwo) {
+  std::vector<glm::ivec2> line, disc;
+  for (int i = 0; i < 500; ++i) line.emplace_back(i % 2 ? -(i + 1) / 2 : i / 2, 7);
+  for (int r = 0; r < 40; ++r) {
+    for (int y = -r; y <= r; ++y) {
+      for (int x = -r; x <= r; ++x) {
+        const int away = x * x + y * y;
+        if (away >= r * r && away < (r + 1) * (r + 1)) disc.emplace_back(x, y);
+      }
+    }
+  }
+  EXPECT_NEAR(gyration_dimension(line), 1, 0.01);
+  EXPECT_NEAR(gyration_dimension(disc), 2, 0.03);
+  EXPECT_EQ(gyration_dimension(std::span(line).first(31)), 0);
+}
+
+// Boxes are too few for a cluster of some thousand particles. Its radius of gyration grows with
+// N^(1/D); one cluster's slope is off by some 0.05.
 TEST(GyrationDimension, AggregationIsNearOnePointSevenOne) {
   double mean = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
