@@ -86,7 +86,7 @@ void Lesson::follow_world() {
     for (Handle& handle : plan_.handles) handle.at = glm::round(handle.at * size / before);
     if (last_world_.panes.x != 0) {
       for (Figure& f : plan_.figures) {
-        if (f.step == 1) f.value = std::round(f.value * size.y / before.y);
+        if (f.step == 1 && f.in_pixels) f.value = std::round(f.value * size.y / before.y);
       }
     }
   }
@@ -245,14 +245,21 @@ bool Lesson::use(int control, float along) {
   return false;
 }
 
+int Lesson::fields() const {
+  return static_cast<int>(plan_.handles.size() + plan_.figures.size()) + (plan_.words ? 1 : 0);
+}
+
+bool Lesson::types_words() const { return typing() && plan_.words && focus_ == fields() - 1; }
+
 void Lesson::focus_on(int field) {
   focus_ = field;
-  field_.set("");
+  field_.set(types_words() ? plan_.words->text : "");
   typing_fault_.clear();
 }
 
 std::string Lesson::shown_in_field(int field) const {
   const auto i = static_cast<std::size_t>(field);
+  if (i >= plan_.handles.size() + plan_.figures.size()) return words();
   if (i >= plan_.handles.size()) {
     return fmt::format("{:.6g}", plan_.figures[i - plan_.handles.size()].value);
   }
@@ -262,7 +269,6 @@ std::string Lesson::shown_in_field(int field) const {
 
 /// Enter accepts, Escape leaves the input as it was, Tab goes to the next field.
 bool Lesson::take_typed(const InputEvent& event) {
-  const int fields = static_cast<int>(plan_.handles.size() + plan_.figures.size());
   if (event.kind == InputKind::kKeyDown && event.key == "Escape") {
     focus_ = kNoField;
     typing_fault_.clear();
@@ -273,20 +279,22 @@ bool Lesson::take_typed(const InputEvent& event) {
     const bool changed = !field_.text.empty();
     if (!accept()) return false;
     if (tab) {
-      focus_on((focus_ + 1) % fields);
+      focus_on((focus_ + 1) % fields());
     } else {
       focus_ = kNoField;
     }
     return changed;
   }
   field_.answer(event);
-  return false;
+  if (!types_words() || plan_.words->text == field_.text) return false;
+  plan_.words->text = field_.text;
+  return true;
 }
 
 /// Takes what was typed; an empty field keeps what was there. @return whether it could be read
 bool Lesson::accept() {
   typing_fault_.clear();
-  if (field_.text.empty()) return true;
+  if (field_.text.empty() || types_words()) return true;
   const auto i = static_cast<std::size_t>(focus_);
   const bool point = i < plan_.handles.size();
   try {

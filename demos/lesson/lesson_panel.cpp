@@ -13,7 +13,7 @@ namespace kinescope {
 namespace {
 
 constexpr float kHintRoom = 86;        // below the picture, with the window's own line
-constexpr std::size_t kMostLit = 256;  // pixels of a step with a frame around each
+constexpr std::size_t kMostLit = 256;  // pixels of a step: fewer have a frame around each
 
 std::string cell(double value) {
   return value == std::floor(value) && std::abs(value) < 1e9 ? fmt::format("{:.0f}", value)
@@ -25,6 +25,7 @@ std::string cell(double value) {
 Rect Lesson::side() const {
   const float margin = theme::kMargin * theme::scale_for(height());
   const auto w = static_cast<float>(width()), h = static_cast<float>(height());
+  if (portrait()) return {w, 0, 0, h};
   const float across = std::floor(std::min(Form::kWidth * theme::scale_for(height()), w * 0.4f));
   return {w - across, 0, across, h - std::floor(std::min(margin, h * 0.01f))};
 }
@@ -32,6 +33,7 @@ Rect Lesson::side() const {
 Rect Lesson::stage() const {
   // A thumbnail's picture keeps most of its height.
   const float scale = theme::scale_for(height()), h = static_cast<float>(height());
+  if (portrait()) return {0, 0, side().x, h};
   const float room = h - std::min(kHintRoom * scale, 0.4f * h);
   const float gap = std::min(theme::kGap * scale, 0.1f * std::min(side().x, room));
   return Rect{0, 0, side().x, room}.shrunk(gap);
@@ -53,6 +55,7 @@ void Lesson::draw_fields(Form& form) const {
     form.slider(kFirstSlider + static_cast<int>(i),
                 static_cast<float>((f.value - f.least) / (f.most - f.least)));
   }
+  if (plan_.words) field(static_cast<std::size_t>(fields()) - 1, plan_.words->label);
   if (!typing_fault_.empty()) form.text(typing_fault_, theme::kRed);
   if (!fault_.empty()) form.text(fault_, theme::kRed);
 }
@@ -142,6 +145,7 @@ void Lesson::draw_state(Form& form) const {
 }
 
 void Lesson::draw_side() {
+  if (portrait()) return;
   const Rect room = side();
   auto sheet = std::make_shared<Sheet>();
   sheet->image = Image<Srgb8>(static_cast<int>(room.width), static_cast<int>(room.height),
@@ -183,20 +187,24 @@ void Lesson::draw_over(Canvas& canvas) const {
       canvas.line(corner, {screen_.face().right(), corner.y}, 2 * scale, theme::kDim);
     }
   }
+  if (portrait()) return canvas.clear_clip();
   for (const Track& track : course_->tracks) {
     const std::size_t now = playback_.shown();
     if (now == 0 || now > track.steps()) continue;
     const auto marks = track.marks(now - 1);
-    for (std::size_t i = 0; i < std::min(marks.size(), kMostLit); ++i) {
-      const glm::vec2 at = screen_.place(world, {track.pane(), {marks[i].x, marks[i].y}});
+    if (marks.size() > kMostLit) continue;
+    for (const Mark& mark : marks) {
+      const glm::vec2 at = screen_.place(world, {track.pane(), {mark.x, mark.y}});
       canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
     }
   }
   for (const Track& track : course_->tracks) {
     if (panes == 1) break;
     const glm::vec2 at = screen_.place(world, {track.pane(), {0, 0}});
-    canvas.text(studio().sans, at + glm::vec2(6, 17) * scale, track.name(), theme::kSmall * scale,
-                theme::kCool);
+    const float size = theme::kSmall * scale;
+    const float wide = studio().sans.width_px(track.name(), size) + 12 * scale;
+    canvas.fill({at.x, at.y, wide, 23 * scale}, theme::kPanel);
+    canvas.text(studio().sans, at + glm::vec2(6, 17) * scale, track.name(), size, theme::kCool);
   }
   canvas.clear_clip();
   const float left = theme::kMargin * scale, size = theme::kBody * scale;
