@@ -261,7 +261,8 @@ TEST(GalleryPageOnPaper, IsWhatTheProgramSaysAndNamesEveryDemo) {
     EXPECT_NE(page.find("(" + picture + ")"), std::string::npos);
     ASSERT_TRUE(std::filesystem::exists(docs + picture)) << "run scripts/make-gallery";
     bytes += std::filesystem::file_size(docs + picture);
-    for (const Knob& knob : info.create(small_setup())->knobs()) {
+    const std::unique_ptr<Demo> demo = info.create(small_setup(64, 48));
+    for (const Knob& knob : demo->knobs()) {
       EXPECT_NE(page.find(knob.help), std::string::npos) << knob.name << " of " << name;
     }
   }
