@@ -100,6 +100,11 @@ class Windows : public ClonableDemo<Windows, Lesson> {
     const auto hit = window_at(mouse_);
     if (button == MouseButton::kRight) {
       menu_ = mouse_;
+      // All of it on the screen.
+      const PixelRect area = menu_area();
+      *menu_ -=
+          glm::max(glm::ivec2(area.x1, area.y1) - glm::ivec2(world().columns(), world().rows()),
+                   glm::ivec2(0));
       aimed_at_ = hit;
       return true;
     }
