@@ -47,11 +47,11 @@ class FourOperations : public ClonableDemo<FourOperations> {
   }
 
   void draw(const Step&, Image<Srgb8>& picture) override {
-    // Four panes; one pixel is in both halves of a picture that has no more.
-    const int across = std::max(1, width() / 2), down = std::max(1, height() / 2);
+    // Four panes; a pixel in the middle may be in two.
+    const int across = (width() + 1) / 2, down = (height() + 1) / 2;
     const auto w = static_cast<float>(across), h = static_cast<float>(down);
-    const auto right = static_cast<float>(std::min(across, width() - across));
-    const auto lower = static_cast<float>(std::min(down, height() - down));
+    const auto right = static_cast<float>(width() - across);
+    const auto lower = static_cast<float>(height() - down);
     Camera camera = observer({0, 1.5f, 0}, 15, 0.5f, 0.35f);
     orbit_.aim(camera, {0, 1.5f, 0});
     const auto view = [&](float x, float y) {
@@ -65,7 +65,7 @@ class FourOperations : public ClonableDemo<FourOperations> {
     model.caption("1  modelling", "what there is: corners, edges and faces in space");
     SpaceView rendering = view(right, 0);
     rendering.solid(mesh, false);
-    image(picture, static_cast<int>(right), static_cast<int>(lower));
+    image(picture, {width() - across, height() - down}, {across, down});
     rendering.caption("2  rendering", "how it looks: hidden parts gone, light and shade");
     SpaceView moving = view(0, lower);
     const auto swing = [&](double phase) {
@@ -87,8 +87,9 @@ class FourOperations : public ClonableDemo<FourOperations> {
   std::string name() const { return knob(kImaging).text(); }
 
   /// The pane above, worked on as a picture.
-  void image(Image<Srgb8>& picture, int left, int top) const {
-    Image<Srgb8> rendered(picture.width() - left, top);
+  void image(Image<Srgb8>& picture, glm::ivec2 corner, glm::ivec2 size) const {
+    const int left = corner.x, top = corner.y;
+    Image<Srgb8> rendered(size.x, size.y);
     for (int y = 0; y < rendered.height(); ++y) {
       std::copy_n(picture.row(y) + left, rendered.width(), rendered.row(y));
     }

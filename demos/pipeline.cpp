@@ -53,10 +53,10 @@ class Pipeline : public ClonableDemo<Pipeline> {
   }
 
   void draw(const Step&, Image<Srgb8>& picture) override {
-    // Six panes; one pixel is in two of them where a picture has no more.
-    const int across = std::max(1, width() / 3), down = std::max(1, height() / 2);
+    // Six panes; pixels between them may be in two.
+    const int across = (width() + 2) / 3, down = (height() + 1) / 2;
     const auto w = static_cast<float>(across), h = static_cast<float>(down);
-    const auto lower = static_cast<float>(std::min(down, height() - down));
+    const auto lower = static_cast<float>(height() - down);
     const auto column = [&](int i) {
       return static_cast<float>(std::min(i * across, width() - across));
     };

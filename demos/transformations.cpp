@@ -129,6 +129,13 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
     course.remarks.push_back(std::string("class: ") +
                              kClasses[static_cast<std::size_t>(transform_class(sofar))]);
     const World pane = world();
+    // Where it all leads.
+    for (int i = 0; i < 3; ++i) {
+      const auto goal = [&](int k) {
+        return pane.of_name(apply(sofar, pane.named(corner(k % 3))));
+      };
+      course.guides.push_back({goal(i), goal(i + 1), theme::kKeyCap});
+    }
     const glm::dvec2 far(pane.columns(), pane.rows());
     course.guides.push_back({pane.of_name({-far.x, 0}), pane.of_name({far.x, 0}), theme::kDim});
     course.guides.push_back({pane.of_name({0, -far.y}), pane.of_name({0, far.y}), theme::kDim});
