@@ -1,5 +1,5 @@
-// Anti-aliased lines beside AGG's outline renderer, filled paths beside Cairo: same pictures,
-// interleaved in one process.
+// Anti-aliased lines beside AGG's outline renderer, filled paths and text beside Cairo: same
+// pictures, interleaved in one process.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -17,6 +17,7 @@
 #include "bench/svg_fills.h"
 #include "raster/base/error.h"
 #include "raster/image/codecs.h"
+#include "raster/path/font.h"
 #include "raster/path/line_painter.h"
 #include "raster/path/path_painter.h"
 
@@ -32,6 +33,7 @@ constexpr int kCodesApart = 4;
 struct Options {
   std::vector<int> threads{1, 2};
   std::vector<int> lengths{10, 40, 200};
+  std::vector<int> text_sizes{13, 48};
   int pairs = 9;
   float scale = 1;
   bool json = false;
@@ -158,6 +160,84 @@ void run_drawing(const Options& options, std::vector<Row>& rows) {
   }
 }
 
+/// Lines of made-up words that fill the page.
+std::vector<std::string> page_of_text(float size_px) {
+  std::mt19937 random(1);
+  std::vector<std::string> lines(static_cast<std::size_t>(kHeight / (1.3f * size_px)));
+  for (std::string& line : lines) {
+    while (static_cast<float>(line.size()) * 0.55f * size_px < kWidth) {
+      for (unsigned left = 1 + random() % 9; left > 0; --left) {
+        line += static_cast<char>('a' + random() % 26);
+      }
+      line += ' ';
+    }
+  }
+  return lines;
+}
+
+/// Two workloads of one page, with every glyph already in both caches: its lines' widths alone, and
+/// the page drawn. Ours blends in linear light, Cairo codes: edges differ.
+void run_text(const Options& options, int size, std::vector<Row>& rows) {
+  const auto size_px = static_cast<float>(size);
+  const std::vector<std::string> lines = page_of_text(size_px);
+  const Font font = Font::sans();
+  CairoText cairo(size_px, kWidth, kHeight);
+  Image<Srgb8> page(kWidth, kHeight);
+  double width = 0, peer_width = 0;
+  const auto pen = [&](std::size_t line) {
+    return glm::vec2(4, (static_cast<float>(line) + 0.95f) * 1.3f * size_px);
+  };
+  const auto measure = [&](const std::string& name, auto&& ours, auto&& theirs) {
+    std::vector<double> our_ms, peer_ms, ratios;
+    constexpr int kWarmUp = 2;
+    for (int i = 0; i < options.pairs + kWarmUp; ++i) {
+      std::fill(page.pixels().begin(), page.pixels().end(), Srgb8{255, 255, 255, 255});
+      cairo.clear();
+      const double a = milliseconds_of(ours), b = milliseconds_of(theirs);
+      if (i < kWarmUp) continue;
+      our_ms.push_back(a);
+      peer_ms.push_back(b);
+      ratios.push_back(b / a);
+    }
+    Image<Linear8> codes(kWidth, kHeight);
+    for (std::size_t i = 0; i < codes.pixels().size(); ++i) {
+      const Srgb8 c = page.pixels()[i];
+      codes.pixels()[i] = {c.r, c.g, c.b, c.a};
+    }
+    if (!options.pictures.empty()) {
+      save(options, name + "-ours", codes);
+      save(options, name + "-cairo", cairo.picture());
+    }
+    rows.push_back({name, "cairo", 1, median(our_ms), median(peer_ms), median(ratios),
+                    compare(codes, cairo.picture(), kCodesApart)});
+  };
+  measure(
+      fmt::format("width-{}", size),
+      [&] {
+        width = 0;
+        for (const std::string& line : lines) {
+          width += static_cast<double>(font.width_px(line, size_px));
+        }
+      },
+      [&] {
+        peer_width = 0;
+        for (const std::string& line : lines) peer_width += cairo.width_px(line);
+      });
+  if (std::abs(width / peer_width - 1) > 0.01) {
+    throw Error(ErrorKind::kBadInput, "Cairo draws another font: install fonts-dejavu-core");
+  }
+  measure(
+      fmt::format("text-{}", size),
+      [&] {
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+          font.draw(page, pen(i).x, pen(i).y, lines[i], size_px, {0, 0, 0, 255});
+        }
+      },
+      [&] {
+        for (std::size_t i = 0; i < lines.size(); ++i) cairo.draw(pen(i), lines[i]);
+      });
+}
+
 void print_table(const std::vector<Row>& rows) {
   fmt::print("{:<14}{:<12}{:>8}{:>10}{:>10}{:>8}{:>10}{:>8}\n", "workload", "peer", "threads",
              "ours ms", "peer ms", "ratio", "pixels", "psnr");
@@ -196,11 +276,13 @@ std::string tiger() {
 int run_all(int argc, char** argv) {
   Options options;
   Flags flags(
-      "Anti-aliased lines beside AGG, filled paths beside Cairo (peers on one thread): same "
-      "pictures, interleaved, medians.");
+      "Anti-aliased lines beside AGG, filled paths and text beside Cairo (peers on one thread): "
+      "same pictures, interleaved, medians.");
   flags.option("--threads", &options.threads, "threads of ours", Flags::Within{1, 64});
   flags.option("--length", &options.lengths, "mean lengths of 50,000 lines, pixels; 0 for none",
                Flags::Within{0, 100000});
+  flags.option("--text", &options.text_sizes, "sizes of a page of text, pixels; 0 for none",
+               Flags::Within{0, 400});
   flags.option("--svg", &options.svg,
                "a drawing whose filled paths are drawn; Inkscape's tiger if none",
                Flags::ExistingFile{});
@@ -221,6 +303,9 @@ int run_all(int argc, char** argv) {
   std::vector<Row> rows;
   for (const int length : options.lengths) {
     if (length > 0) run_lines(options, length, rows);
+  }
+  for (const int size : options.text_sizes) {
+    if (size > 0) run_text(options, size, rows);
   }
   if (!options.svg.empty()) run_drawing(options, rows);
   options.json ? print_json(rows) : print_table(rows);

@@ -51,6 +51,23 @@ void trace(cairo_t* cairo, const FilledPath& filled) {
   }
 }
 
+Image<Linear8> pixels_of(cairo_surface_t* surface) {
+  const int stride = cairo_image_surface_get_stride(surface);
+  const unsigned char* const data = cairo_image_surface_get_data(surface);
+  Image<Linear8> picture(cairo_image_surface_get_width(surface),
+                         cairo_image_surface_get_height(surface));
+  for (int y = 0; y < picture.height(); ++y) {
+    const unsigned char* p = data + y * stride;
+    for (int x = 0; x < picture.width(); ++x, p += 4) picture.at(x, y) = {p[2], p[1], p[0], p[3]};
+  }
+  return picture;
+}
+
+void paint_white(cairo_t* cairo) {
+  cairo_set_source_rgb(cairo, 1, 1, 1);
+  cairo_paint(cairo);
+}
+
 }  // namespace
 
 struct CairoFills::State {
@@ -101,24 +118,59 @@ void CairoFills::draw() {
   cairo_surface_flush(state_->surface);
 }
 
-void CairoFills::clear() {
-  cairo_set_source_rgb(state_->cairo, 1, 1, 1);
-  cairo_paint(state_->cairo);
-}
+void CairoFills::clear() { paint_white(state_->cairo); }
 
-Image<Linear8> CairoFills::picture() const {
-  cairo_surface_t* const surface = state_->surface;
-  const int stride = cairo_image_surface_get_stride(surface);
-  const unsigned char* const data = cairo_image_surface_get_data(surface);
-  Image<Linear8> picture(cairo_image_surface_get_width(surface),
-                         cairo_image_surface_get_height(surface));
-  for (int y = 0; y < picture.height(); ++y) {
-    const unsigned char* p = data + y * stride;
-    for (int x = 0; x < picture.width(); ++x, p += 4) picture.at(x, y) = {p[2], p[1], p[0], p[3]};
-  }
-  return picture;
-}
+Image<Linear8> CairoFills::picture() const { return pixels_of(state_->surface); }
 
 std::string CairoFills::version() { return cairo_version_string(); }
+
+struct CairoText::State {
+  State(int width, int height)
+      : surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height)),
+        cairo(cairo_create(surface)) {}
+  ~State() {
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  cairo_surface_t* surface;
+  cairo_t* cairo;
+};
+
+CairoText::CairoText(float size_px, int width, int height)
+    : state_(std::make_unique<State>(width, height)) {
+  cairo_t* const cairo = state_->cairo;
+  cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo, static_cast<double>(size_px));
+  cairo_font_options_t* const plain = cairo_font_options_create();
+  cairo_font_options_set_hint_style(plain, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(plain, CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(plain, CAIRO_ANTIALIAS_GRAY);
+  cairo_set_font_options(cairo, plain);
+  cairo_font_options_destroy(plain);
+}
+
+CairoText::~CairoText() = default;
+
+double CairoText::width_px(const std::string& line) const {
+  cairo_text_extents_t extents;
+  cairo_text_extents(state_->cairo, line.c_str(), &extents);
+  return extents.x_advance;
+}
+
+void CairoText::draw(glm::vec2 pen, const std::string& line) {
+  cairo_set_source_rgb(state_->cairo, 0, 0, 0);
+  cairo_move_to(state_->cairo, static_cast<double>(pen.x), static_cast<double>(pen.y));
+  cairo_show_text(state_->cairo, line.c_str());
+}
+
+void CairoText::clear() { paint_white(state_->cairo); }
+
+Image<Linear8> CairoText::picture() const {
+  cairo_surface_flush(state_->surface);
+  return pixels_of(state_->surface);
+}
 
 }  // namespace kinescope::bench

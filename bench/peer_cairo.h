@@ -30,4 +30,22 @@ class CairoFills {
   std::unique_ptr<State> state_;
 };
 
+/// Lays out and draws lines of UTF-8 text with the DejaVu Sans that fontconfig finds, hints off,
+/// grey edges.
+class CairoText {
+ public:
+  CairoText(float size_px, int width, int height);
+  ~CairoText();
+
+  /// How far the pen moves, pixels.
+  double width_px(const std::string& line) const;
+  void draw(glm::vec2 pen, const std::string& line);
+  void clear();
+  Image<Linear8> picture() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 }  // namespace kinescope::bench

@@ -25,7 +25,7 @@ class Antialiasing : public ClonableDemo<Antialiasing, Lesson> {
                          "their mean. Change the width of a picket, drag the vanishing "
                          "point.",
              .handles = {{"vanishing point", {0.7, 0.2}}},
-             .figures = {{"pickets", 12, 2, 40, 1}},
+             .figures = {{"pickets", 12, 2, 40, 1, false}},
              .resolution = 4,
              .speed = 4},
             {choice_knob("fourth", {"1", "2", "3"}, {"Gaussian filter", "Wu lines", "edge blur"},

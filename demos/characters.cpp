@@ -1,17 +1,19 @@
 // Characters as bitmaps, as strokes, and as outlines scan-converted in four steps.
+#include <fmt/format.h>
+
 #include "demos/lesson/lesson.h"
 #include "raster/base/error.h"
 #include "raster/characters/bitmap_font.h"
 #include "raster/characters/glyph_scan.h"
 #include "raster/characters/stroke_font.h"
+#include "raster/path/utf8.h"
 #include "raster/scan/bresenham_steps.h"
 
 namespace kinescope {
 namespace {
 
-enum { kKind, kLetter };
+enum { kKind };
 enum { kBitmap, kStroke, kOutline };
-constexpr std::array kLetters = {"A", "g", "R", "8"};
 
 class Characters : public ClonableDemo<Characters, Lesson> {
  public:
@@ -19,46 +21,64 @@ class Characters : public ClonableDemo<Characters, Lesson> {
       : ClonableDemo(
             setup,
             {.look_for = "An outline is scaled, fitted to the grid, filled, and mended where "
-                         "a thin part fell between pixels' middles (red). Make it small.",
+                         "a thin part fell between pixels' middles (red). Make it small; click the "
+                         "field \"text\" and type.",
              .handles = {{"pen", {0.25, 0.75}}},
              .figures = {{"size", 24, 4, 60, 1}},
+             .words = Words{"text", "g"},
              .resolution = 2,
              .speed = 1},
             {choice_knob("font", {"1", "2", "3"}, {"bitmap", "stroke", "outline"}, kOutline,
-                         "what the character is made of"),
-             choice_knob("letter", {"l"}, {"A", "g", "R", "8"}, 1, "which character")}) {}
+                         "what the characters are made of")}) {}
 
  private:
   Course record() const override {
     const int size = whole_figure(0);
     if (size < 1 || size > 400) throw_bad_input("size: from 1 to 400 pixels");
-    const char* letter = kLetters[static_cast<std::size_t>(knob(kLetter).index())];
+    if (words().empty()) throw_bad_input("there is no text: type some");
     switch (knob(kKind).index()) {
       case kBitmap:
-        return bitmap(letter);
+        return bitmap();
       case kStroke:
-        return strokes(letter, size);
+        return strokes(size);
       default:
-        return outline(letter, size);
+        return outline(size);
     }
   }
 
-  Course bitmap(const char* letter) const {
+  /// Says how many of the characters are not those that were typed.
+  template <typename Missing>
+  void tell_missing(Course& course, Missing&& is_missing) const {
+    int missing = 0;
+    for_each_code_point(words(), [&](char32_t code) { missing += is_missing(code) ? 1 : 0; });
+    if (missing > 0) {
+      course.remarks.push_back(
+          fmt::format("The font lacks {} of the characters: marks stand "
+                      "for them.",
+                      missing));
+    }
+  }
+
+  Course bitmap() const {
     Track track("bitmap 6x13", {"x", "y"});
-    BitmapFont::fixed().draw(letter, pixel(0), [&](int x, int y) {
+    const BitmapFont font = BitmapFont::fixed();
+    font.draw(words(), pixel(0), [&](int x, int y) {
       track(x, y);
       track.step({double(x), double(y)});
     });
     Course course;
+    tell_missing(course,
+                 [&](char32_t c) { return c != U'?' && font.glyph(c) == font.glyph(U'?'); });
     course.tracks.push_back(std::move(track));
     return course;
   }
 
-  Course strokes(const char* letter, int size) const {
+  Course strokes(int size) const {
     Track track("Hershey strokes", {"from x", "y", "to x", "y"});
     Course course;
     const double scale = double(size) / StrokeFont::kCapitalHeight;
-    StrokeFont::roman_simplex().draw(letter, corner(0), scale, [&](glm::dvec2 a, glm::dvec2 b) {
+    const StrokeFont font = StrokeFont::roman_simplex();
+    font.draw(words(), corner(0), scale, [&](glm::dvec2 a, glm::dvec2 b) {
       for (BresenhamSteps line(glm::ivec2(glm::floor(a)), glm::ivec2(glm::floor(b)));
            line.next();) {
         track(line.at().x, line.at().y);
@@ -66,12 +86,31 @@ class Characters : public ClonableDemo<Characters, Lesson> {
       track.step({a.x, a.y, b.x, b.y});
       course.guides.push_back({a, b});
     });
+    tell_missing(course,
+                 [&](char32_t c) { return c != U'?' && font.glyph(c) == font.glyph(U'?'); });
     course.tracks.push_back(std::move(track));
     return course;
   }
 
-  Course outline(const char* letter, int size) const {
-    const Path path = studio().sans.outline(static_cast<char32_t>(letter[0]));
+  /// All of the text in the font's units.
+  Path line_of_text() const {
+    Path line;
+    std::size_t read = 0;  // characters' bytes
+    for_each_code_point(words(), [&](char32_t code) {
+      const float pen =
+          studio().sans.width_px(words().substr(0, read), studio().sans.units_per_em());
+      while (++read < words().size() &&
+             (static_cast<unsigned char>(words()[read]) & 0xc0) == 0x80) {
+      }
+      const Path glyph = studio().sans.outline(code);
+      line.verbs.insert(line.verbs.end(), glyph.verbs.begin(), glyph.verbs.end());
+      for (const glm::vec2 p : glyph.points) line.points.push_back(p + glm::vec2(pen, 0));
+    });
+    return line;
+  }
+
+  Course outline(int size) const {
+    const Path path = line_of_text();
     const float scale = static_cast<float>(size) / studio().sans.units_per_em();
     const glm::vec2 pen = corner(0) - 0.5;
     const PixelsFromPath place({scale, 0}, {0, -scale}, pen);
@@ -96,6 +135,8 @@ class Characters : public ClonableDemo<Characters, Lesson> {
     path_edges(scan.outline(), PixelsFromPath(1), 0.05f, [&](glm::vec2 a, glm::vec2 b) {
       course.guides.push_back({a, b});
     });
+    const std::vector<glm::vec2> mark = studio().sans.outline(0x10ffff).points;
+    tell_missing(course, [&](char32_t c) { return studio().sans.outline(c).points == mark; });
     course.tracks.push_back(std::move(track));
     return course;
   }

@@ -30,6 +30,10 @@ class Grammar {
 
     CLI::App& list =
         command("list", "the demos: name, chapter, one line", Command::kList, kListExamples);
+    list.add_flag("--markdown", options.list.markdown,
+                  "the gallery's page of the documentation: docs/gallery.md");
+    add(list, "--pictures", "FOLDER", "draw each demo's small picture there, as NAME.png",
+        [this](const std::string& text, const std::string&) { options.list.pictures = text; });
     add_common(list, options.common);
     CLI::App& demo =
         command("demo", "one demo, in a window or to a file", Command::kDemo, kDemoExamples);

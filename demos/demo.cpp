@@ -5,7 +5,11 @@
 namespace kinescope {
 
 Demo::Demo(const DemoSetup& setup, std::vector<Knob> knobs)
-    : studio_(setup.studio), width_(setup.width), height_(setup.height), knobs_(std::move(knobs)) {}
+    : studio_(setup.studio),
+      width_(setup.width),
+      height_(setup.height),
+      portrait_(setup.portrait),
+      knobs_(std::move(knobs)) {}
 
 Demo::Demo(const Demo&) = default;
 Demo& Demo::operator=(const Demo&) = default;

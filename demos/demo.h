@@ -28,6 +28,7 @@ struct DemoSetup {
   std::shared_ptr<Studio> studio;
   int width = 1280, height = 960;  ///< of the picture, pixels
   std::uint64_t seed = 1;          ///< of every random number
+  bool portrait = false;  ///< a small picture of it is wanted: what must be read is left out
 };
 
 /// Copies (clones) are snapshots: all state lies in the object, shared parts never change.
@@ -50,6 +51,9 @@ class Demo {
   /// Whether keys go into a text field just now: then they turn no knobs and mean nothing else.
   virtual bool typing() const { return false; }
 
+  /// Keys that lead at once to what a small picture of the demo should show.
+  virtual std::span<const std::string_view> portrait_keys() const { return {}; }
+
   std::span<const Knob> knobs() const { return knobs_; }
   int width() const { return width_; }
   int height() const { return height_; }
@@ -70,10 +74,12 @@ class Demo {
   /// For menus in the picture itself.
   void turn(int index, double value) { knobs_.at(static_cast<std::size_t>(index)).value = value; }
   Studio& studio() const { return *studio_; }
+  bool portrait() const { return portrait_; }
 
  private:
   std::shared_ptr<Studio> studio_;
   int width_, height_;
+  bool portrait_;
   std::vector<Knob> knobs_;
 };
 

@@ -124,7 +124,8 @@ DemoInfo display_file_demo() {
           "A list of vectors that grows until its refresh slows down and flickers",
           create,
           1,
-          "drag to add a vector"};
+          "drag to add a vector",
+          {"random scan: display file, display processor, refresh falling as the list grows"}};
 }
 
 }  // namespace kinescope

@@ -140,9 +140,13 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) {
 
 DemoInfo frame_buffer_demo() {
   return {
-      "frame-buffer", "1 Displays and coordinates",
+      "frame-buffer",
+      "1 Displays and coordinates",
       "A colour table in motion, a table split at a line, pages flipped with and without tearing",
-      create};
+      create,
+      1,
+      {},
+      {"raster scan: frame buffer, refresh", "bitmap and pixmap of 1 to 8 bits"}};
 }
 
 }  // namespace kinescope

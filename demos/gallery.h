@@ -1,4 +1,5 @@
-// The gallery: every demo as a small picture made by itself, to choose from.
+// The gallery: every demo as a small picture made by itself, under its chapter, to be searched and
+// chosen from.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +8,10 @@
 #include <vector>
 
 #include "demos/demo.h"
+#include "demos/gallery_page.h"
+#include "demos/portrait.h"
 #include "demos/screen.h"
-#include "demos/ui/canvas.h"
+#include "demos/ui/text_field.h"
 
 namespace kinescope {
 
@@ -20,39 +23,39 @@ class Gallery : public Screen {
   bool tick(int frames_per_second) override;
   const Image<Srgb8>& frame() const override { return frame_; }
   Seconds tick_length() const override { return Seconds(1.0 / 60); }
+  /// While there is something to search for, Escape clears it.
+  bool typing() const override { return !search_.text.empty(); }
   bool done() const override { return chosen_.has_value(); }
 
-  std::size_t selected() const { return selected_; }
+  /// The demo that is marked, if the search found any.
+  std::optional<std::size_t> selected() const;
+  const GalleryPage& page() const { return page_; }
   /// The demo that was started; the gallery may then be shown again.
   std::optional<std::size_t> take_choice();
 
  private:
-  /// A demo at a small size. The chosen one moves.
-  struct Thumbnail {
-    std::unique_ptr<Demo> demo;
-    Seconds now{0};
-    std::int64_t steps = 0;
-    Image<Srgb8> picture;
-  };
-  void lay_out();
-  void key(const std::string& key);
+  bool key(const std::string& key);
+  bool move(const std::string& key);
+  void press(int x, int y);
+  void search();
+  void select(std::size_t place, bool scroll);
   void draw_page();
-  void draw_caption(std::size_t index, Canvas& canvas);
-  bool step_thumbnail(std::size_t index);
-  void show_thumbnail(std::size_t index);
-  Rect cell(std::size_t index) const;
-  Rect thumbnail_place(std::size_t index) const;
-  std::optional<std::size_t> demo_at(int x, int y) const;
-  void select(std::size_t index);
+  void draw_header(Canvas& canvas) const;
+  void draw_rail(Canvas& canvas) const;
+  void draw_caption(std::size_t place, Canvas& canvas) const;
+  bool in_view(std::size_t place) const;
+  std::size_t chapter_in_view() const;
+  void step_portrait(std::size_t place);
+  void show_portrait(std::size_t place);
 
   std::shared_ptr<Studio> studio_;
   std::uint64_t seed_;
-  std::vector<Thumbnail> thumbnails_;
-  std::size_t selected_ = 0;
+  GalleryPage page_;
+  TextField search_;
+  std::vector<Portrait> portraits_;  // by demo; the marked one moves
+  std::size_t place_ = 0;            // of the marked demo on the page
   std::optional<std::size_t> chosen_;
   int width_, height_;
-  std::size_t columns_ = 1, rows_shown_ = 1, first_row_ = 0;
-  float scale_ = 1, cell_width_ = 1, cell_height_ = 1;
   bool dirty_ = true;
   Image<Srgb8> frame_;
 };

@@ -138,7 +138,8 @@ DemoInfo light_pen_demo() {
           "A pen that finds the instruction that drew what it sees, and drags the part",
           create,
           1,
-          "drag a part"};
+          "drag a part",
+          {"input: light pen"}};
 }
 
 }  // namespace kinescope

@@ -143,7 +143,8 @@ DemoInfo light_pen_raster_demo() {
           "A pen that draws where it sees the beam pass: an address found from time alone",
           create,
           1,
-          "left: draw, right: rub out"};
+          "left: draw, right: rub out",
+          {"input: light pen"}};
 }
 
 }  // namespace kinescope

@@ -141,8 +141,13 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<M
 }  // namespace
 
 DemoInfo masks_demo() {
-  return {"masks", "1 Displays and coordinates",
-          "Dots, stripes and slots, from triads that can be counted to an even tint", create};
+  return {"masks",
+          "1 Displays and coordinates",
+          "Dots, stripes and slots, from triads that can be counted to an even tint",
+          create,
+          1,
+          {},
+          {"CRT: shadow masks and aperture grilles"}};
 }
 
 }  // namespace kinescope

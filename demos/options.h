@@ -99,6 +99,12 @@ struct VectorRequest {
   Seconds start{0};
 };
 
+/// What `list` alone takes.
+struct ListRequest {
+  bool markdown = false;  ///< the gallery's page
+  std::string pictures;   ///< a folder to draw the demos' pictures in, or empty
+};
+
 /// What `demo` alone takes.
 struct DemoRequest {
   std::string name;
@@ -115,6 +121,7 @@ struct Options {
   DisplayRequest display;
   VectorRequest vector;
   DemoRequest demo;
+  ListRequest list;
   std::string mode;  ///< what `timing` explains
 };
 

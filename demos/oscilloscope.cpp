@@ -128,8 +128,13 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) {
 }  // namespace
 
 DemoInfo oscilloscope_demo() {
-  return {"oscilloscope", "1 Displays and coordinates",
-          "Lissajous figures, and stereo sound as its two channels draw it", create};
+  return {"oscilloscope",
+          "1 Displays and coordinates",
+          "Lissajous figures, and stereo sound as its two channels draw it",
+          create,
+          1,
+          {},
+          {"random scan: deflection by signals"}};
 }
 
 }  // namespace kinescope

@@ -139,9 +139,13 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<P
 }  // namespace
 
 DemoInfo phosphors_demo() {
-  return {"phosphors", "1 Displays and coordinates",
+  return {"phosphors",
+          "1 Displays and coordinates",
           "Every phosphor after one flash of the beam: how long each glows, and in what colours",
-          create, kFirstTimeScale};
+          create,
+          kFirstTimeScale,
+          {},
+          {"persistence"}};
 }
 
 }  // namespace kinescope

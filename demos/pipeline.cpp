@@ -53,11 +53,13 @@ class Pipeline : public ClonableDemo<Pipeline> {
   }
 
   void draw(const Step&, Image<Srgb8>& picture) override {
-    // Four panes; one pixel is in both halves of a picture that has no more.
-    const int half_width = std::max(1, width() / 2), half_height = std::max(1, height() / 2);
-    const float w = static_cast<float>(half_width), h = static_cast<float>(half_height);
-    const float right = static_cast<float>(std::min(half_width, width() - half_width));
-    const float lower = static_cast<float>(std::min(half_height, height() - half_height));
+    // Six panes; pixels between them may be in two.
+    const int across = (width() + 2) / 3, down = (height() + 1) / 2;
+    const auto w = static_cast<float>(across), h = static_cast<float>(down);
+    const auto lower = static_cast<float>(height() - down);
+    const auto column = [&](int i) {
+      return static_cast<float>(std::min(i * across, width() - across));
+    };
     orbit_.aim(camera_, kCentre);
     camera_.set_field_of_view(static_cast<float>(knob(kFieldOfView).value) * kDegree, w / h);
     camera_.near_plane = static_cast<float>(knob(kNear).value);
@@ -69,15 +71,20 @@ class Pipeline : public ClonableDemo<Pipeline> {
     const auto view = [&](float x, float y, const Camera& by) {
       return SpaceView(*easel_, studio(), picture, {x, y, w, h}, by);
     };
-    SpaceView world = view(0, 0, observer({0.6f, 0.9f, 1.4f}, 24, 1.2f, 0.4f));
+    SpaceView local = view(0, 0, observer({0, 1.2f, 0}, 14, 0.5f, 0.35f));
+    local.solid(mesh, knob(kWire).index() == 1);
+    if (knob(kAxes).on()) local.axes(glm::vec3(0), 2.6f, {"x", "y", "z"});
+    local.caption("1  local space", "the object as it was modelled");
+
+    SpaceView world = view(column(1), 0, observer({0.6f, 0.9f, 1.4f}, 24, 1.2f, 0.4f));
     draw_space(world, mesh, world_from_local, glm::mat4(1), 2.2f);
-    world.caption("1  world space", "the object in its place, the camera looking at it");
+    world.caption("2  world space", "in its place, the camera looking at it");
     if (knob(kMatrices).on()) world.matrix("world from local", world_from_local);
 
-    SpaceView seen = view(right, 0, observer({0, -0.2f, -5.2f}, 24, 0.95f, 0.4f));
+    SpaceView seen = view(column(2), 0, observer({0, -0.2f, -5.2f}, 24, 0.95f, 0.4f));
     draw_space(seen, mesh, camera_.view_from_world() * world_from_local, camera_.view_from_world(),
                2.2f);
-    seen.caption("2  view space", "the eye at the origin, looking down the negative z axis");
+    seen.caption("3  view space", "the eye at the origin, looking down -z");
     if (knob(kMatrices).on()) seen.matrix("view from world", camera_.view_from_world());
 
     // Shown with z towards the observer, so that it is no mirror image.
@@ -85,9 +92,26 @@ class Pipeline : public ClonableDemo<Pipeline> {
     SpaceView clip = view(0, lower, observer({0, 0, -0.5f}, 5.6f, 0.55f, 0.35f));
     draw_space(clip, mesh, flip * camera_.clip_from_world() * world_from_local,
                flip * camera_.clip_from_world(), 0.5f);
-    clip.caption("3  clip space, divided by w", "the view volume is a box; near things have grown");
+    clip.caption("4  clip space, divided by w", "the view volume is a box; near things have grown");
     if (knob(kMatrices).on()) clip.matrix("clip from view", camera_.clip_from_view());
-    draw_device(view(right, lower, camera_), mapped(mesh, world_from_local));
+
+    draw_logical(view(column(1), lower, observer({0.5f, 0.5f, 0}, 4.2f, 0, 0)), mesh,
+                 camera_.clip_from_world() * world_from_local);
+    draw_device(view(column(2), lower, camera_), mapped(mesh, world_from_local));
+  }
+
+  /// What the view volume holds, on a screen from (0, 0) to (1, 1) whatever the device.
+  void draw_logical(SpaceView pane, const Mesh& mesh, const glm::mat4& clip_from_local) {
+    // Flat, but for as much depth as hides what lies behind.
+    glm::mat4 logical_from_clip = glm::translate(glm::mat4(1), glm::vec3(0.5f, 0.5f, 0));
+    logical_from_clip = glm::scale(logical_from_clip, glm::vec3(0.5f, 0.5f, -0.02f));
+    pane.solid(mapped(mesh, logical_from_clip * clip_from_local), knob(kWire).index() == 1);
+    pane.caption("5  logical screen", "the window's width and height are 1");
+    std::array<glm::vec3, 8> corners{};
+    for (unsigned i = 0; i < corners.size(); ++i) corners[i] = {i & 1u, i >> 1 & 1u, 0};
+    pane.box(corners, 1.4f, theme::with_alpha(theme::kCool, 200));
+    pane.label({-0.08f, -0.09f, 0}, "(0, 0)", theme::kCool);
+    pane.label({1.0f, 1.06f, 0}, "(1, 1)", theme::kCool);
   }
 
   /// The object, and what the camera makes of the world, in one space.
@@ -115,7 +139,7 @@ class Pipeline : public ClonableDemo<Pipeline> {
 
   void draw_device(SpaceView pane, const Mesh& world) {
     pane.solid(world, knob(kWire).index() == 1);
-    pane.caption("4  device space", "pixels, y downwards: the picture on the screen");
+    pane.caption("6  device space", "pixels, y downwards: the picture");
     if (knob(kAxes).on()) pane.pixel_axes();
   }
 
@@ -133,10 +157,11 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<P
 DemoInfo pipeline_demo() {
   return {"pipeline",
           "1 Displays and coordinates",
-          "One object in world, view, clip and device space, side by side",
+          "One object in local, world, view, clip, logical and device space, side by side",
           create,
           1,
-          "drag or arrow keys to move the camera, wheel to go near"};
+          "drag or arrow keys to move the camera, wheel to go near",
+          {"graphics pipeline: local, world, view, clip, logical screen, device"}};
 }
 
 }  // namespace kinescope

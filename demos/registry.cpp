@@ -19,6 +19,14 @@ DemoInfo tube_demo();
 DemoInfo sync_demo();
 DemoInfo masks_demo();
 DemoInfo light_pen_raster_demo();
+DemoInfo four_operations_demo();
+DemoInfo samples_demo();
+DemoInfo coordinates_demo();
+DemoInfo charts_demo();
+DemoInfo cad_part_demo();
+DemoInfo paint_demo();
+DemoInfo enhancement_demo();
+DemoInfo windows_demo();
 DemoInfo lines_demo();
 DemoInfo circles_demo();
 DemoInfo conics_demo();
@@ -94,6 +102,14 @@ std::span<const DemoInfo> all_demos() {
                                     spacewar_demo(),
                                     oscilloscope_demo(),
                                     storage_demo(),
+                                    four_operations_demo(),
+                                    samples_demo(),
+                                    coordinates_demo(),
+                                    cad_part_demo(),
+                                    charts_demo(),
+                                    paint_demo(),
+                                    enhancement_demo(),
+                                    windows_demo(),
                                     lines_demo(),
                                     circles_demo(),
                                     conics_demo(),

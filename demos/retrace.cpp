@@ -115,9 +115,14 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<R
 }  // namespace
 
 DemoInfo retrace_demo() {
-  return {"retrace", "1 Displays and coordinates",
-          "Time slowed down until the beam is seen to draw, fly back and fly up", create,
-          kFirstTimeScale};
+  return {"retrace",
+          "1 Displays and coordinates",
+          "Time slowed down until the beam is seen to draw, fly back and fly up",
+          create,
+          kFirstTimeScale,
+          {},
+          {"CRT: gun, focus, deflection, phosphor: a beam seen in slow time",
+           "raster scan: horizontal and vertical retrace, interlace"}};
 }
 
 }  // namespace kinescope

@@ -104,7 +104,8 @@ DemoInfo rubber_band_demo() {
           "A line that follows the hand until it is let go, snapped to a grid",
           create,
           1,
-          "drag to draw"};
+          "drag to draw",
+          {"random scan: a display file edited as it is drawn"}};
 }
 
 }  // namespace kinescope

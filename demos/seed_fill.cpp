@@ -78,9 +78,34 @@ class SeedFill : public ClonableDemo<SeedFill, Lesson> {
       const RowSpan& run = fill.span();
       track(run);
       track.step(
-          {double(run.y), double(run.x_begin), double(run.x_end), double(fill.stack().size())});
+          {double(run.y), double(run.x_begin), double(run.x_end), double(fill.stack().size())},
+          stack_of(fill.stack()));
     }
     return track;
+  }
+
+  /// The ranges that the fill looks at next, the top first.
+  static std::string stack_of(std::span<const RowSpan> stack) {
+    constexpr std::size_t kMostShown = 6;
+    std::string lines = stack.empty() ? "stack: empty" : "stack, next first:";
+    for (std::size_t i = 0; i < std::min(stack.size(), kMostShown); ++i) {
+      const RowSpan& range = stack[stack.size() - 1 - i];
+      lines += fmt::format("\n  row {:3}: {:3} to {:3}", range.y, range.x_begin, range.x_end);
+    }
+    if (stack.size() > kMostShown) lines += fmt::format("\n  {} more", stack.size() - kMostShown);
+    return lines;
+  }
+
+  template <typename Calls>
+  static std::string calls_of(const Calls& calls) {
+    constexpr std::size_t kMostShown = 6;
+    std::string lines = "calls, innermost first:";
+    for (std::size_t i = 0; i < std::min(calls.size(), kMostShown); ++i) {
+      const glm::ivec2 at = calls[calls.size() - 1 - i].at;
+      lines += fmt::format("\n  fill({}, {})", at.x, at.y);
+    }
+    if (calls.size() > kMostShown) lines += fmt::format("\n  {} more", calls.size() - kMostShown);
+    return lines;
   }
 
   Course recursive(Course course, Image<Srgb8> image, glm::ivec2 seed, Connectivity ways) const {
@@ -91,7 +116,8 @@ class SeedFill : public ClonableDemo<SeedFill, Lesson> {
                               static_cast<std::size_t>(room));
     while (fill.next()) {
       track(fill.at().x, fill.at().y);
-      track.step({double(fill.at().x), double(fill.at().y), double(fill.calls().size())});
+      track.step({double(fill.at().x), double(fill.at().y), double(fill.calls().size())},
+                 calls_of(fill.calls()));
     }
     course.remarks.push_back(fill.overflowed()
                                  ? fmt::format("The stack overflowed: {} calls deep.", room)

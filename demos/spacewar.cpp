@@ -133,9 +133,13 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<S
 }  // namespace
 
 DemoInfo spacewar_demo() {
-  return {"spacewar", "1 Displays and coordinates",
+  return {"spacewar",
+          "1 Displays and coordinates",
           "A duel about a star: a d w f against the arrow keys, on a phosphor that remembers",
-          create};
+          create,
+          1,
+          {},
+          {"random scan: a display file in motion"}};
 }
 
 }  // namespace kinescope

@@ -136,9 +136,13 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<S
 }  // namespace
 
 DemoInfo storage_demo() {
-  return {"storage", "1 Displays and coordinates",
+  return {"storage",
+          "1 Displays and coordinates",
           "gnuplot on a Tektronix terminal: written once, kept by the tube, erased with a flash",
-          create};
+          create,
+          1,
+          {},
+          {"random scan: storage tube"}};
 }
 
 }  // namespace kinescope

@@ -122,9 +122,13 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<S
 }  // namespace
 
 DemoInfo sync_demo() {
-  return {"sync", "1 Displays and coordinates",
+  return {"sync",
+          "1 Displays and coordinates",
           "Holds out of hold: a picture that rolls and tears, hums, sags and pairs its lines",
-          create};
+          create,
+          1,
+          {},
+          {"raster scan: synchronization"}};
 }
 
 }  // namespace kinescope

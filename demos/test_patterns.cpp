@@ -71,9 +71,13 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) {
 }  // namespace
 
 DemoInfo test_patterns_demo() {
-  return {"test-patterns", "1 Displays and coordinates",
+  return {"test-patterns",
+          "1 Displays and coordinates",
           "Colour bars, PLUGE, crosshatch, zone plate, grey steps and dots on four rasters",
-          create};
+          create,
+          1,
+          {},
+          {"resolution", "aspect ratio"}};
 }
 
 }  // namespace kinescope

@@ -10,7 +10,20 @@ namespace kinescope {
 namespace {
 
 enum { kKind, kAmount, kMeaning };
-enum { kRotation, kScaling, kShear, kReflection, kTranslation };
+enum {
+  kIdentity,
+  kTranslation,
+  kRotation,
+  kUniform,
+  kDifferential,
+  kShearX,
+  kShearY,
+  kInLine,
+  kInX,
+  kInY,
+  kInOrigin,
+  kInDiagonal
+};
 enum { kPivot = 3 };
 
 constexpr std::array kClasses = {"identity", "translation", "rigid",    "isometry",  "conformal",
@@ -31,8 +44,10 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
              .speed = 0,
              .centred = true},
             {choice_knob("kind", {"y"},
-                         {"rotation", "scaling", "shear", "reflection", "translation"}, kRotation,
-                         "about the pivot, or a line through it"),
+                         {"identity", "translation", "rotation", "scaling", "differential scaling",
+                          "shear along x", "shear along y", "reflection in a line", "in x axis",
+                          "in y axis", "in origin", "in y = x"},
+                         kRotation, "about the pivot, or a line through it"),
              number_knob("amount", "1", "2", -3, 3, 0.125, 1, "",
                          "half right angles, factor, shear, slope or tens of pixels"),
              choice_knob("meaning", {"g"}, {"geometric", "coordinate"}, 0,
@@ -45,17 +60,35 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
     switch (knob(kKind).index()) {
       case kRotation:
         return rotation_about_steps(pivot, 45 * amount);
-      case kScaling:
+      case kUniform:
         return scaling_about_steps(pivot, glm::dvec2(amount));
-      case kShear:
-        return {{"pivot to the origin", translation(-pivot)},
-                {"shear along x", shear(amount, 0)},
-                {"and back", translation(pivot)}};
-      case kReflection:
+      case kDifferential:
+        return scaling_about_steps(pivot, glm::dvec2(amount, 1));
+      case kShearX:
+        return about(pivot, "shear along x", shear(amount, 0));
+      case kShearY:
+        return about(pivot, "shear along y", shear(0, amount));
+      case kInLine:
         return reflection_in_line_steps(amount, pivot.y - amount * pivot.x);
-      default:
+      case kInX:
+        return {{"reflection in the x axis", reflection_in_x_axis()}};
+      case kInY:
+        return {{"reflection in the y axis", reflection_in_y_axis()}};
+      case kInOrigin:
+        return {{"reflection in the origin", reflection_in_origin()}};
+      case kInDiagonal:
+        return {{"reflection in y = x", reflection_in_diagonal()}};
+      case kTranslation:
         return {{"translation", translation(glm::dvec2(10 * amount))}};
+      default:
+        return {{"identity", glm::dmat3(1.0)}};
     }
+  }
+  static std::vector<TransformStep2> about(const glm::dvec2& pivot, const char* name,
+                                           const glm::dmat3& matrix) {
+    return {{"pivot to the origin", translation(-pivot)},
+            {name, matrix},
+            {"and back", translation(pivot)}};
   }
 
   void show(Track& track, const glm::dmat3& matrix, Srgb8 colour) const {
@@ -96,6 +129,13 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
     course.remarks.push_back(std::string("class: ") +
                              kClasses[static_cast<std::size_t>(transform_class(sofar))]);
     const World pane = world();
+    // Where it all leads.
+    for (int i = 0; i < 3; ++i) {
+      const auto goal = [&](int k) {
+        return pane.of_name(apply(sofar, pane.named(corner(k % 3))));
+      };
+      course.guides.push_back({goal(i), goal(i + 1), theme::kKeyCap});
+    }
     const glm::dvec2 far(pane.columns(), pane.rows());
     course.guides.push_back({pane.of_name({-far.x, 0}), pane.of_name({far.x, 0}), theme::kDim});
     course.guides.push_back({pane.of_name({0, -far.y}), pane.of_name({0, far.y}), theme::kDim});
@@ -110,15 +150,16 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) {
 }  // namespace
 
 DemoInfo transformations_demo() {
-  return {
-      "transformations",
-      "3 Two-dimensional transformations",
-      "A triangle turned, scaled, sheared, reflected and moved, matrix by matrix",
-      create,
-      1,
-      "drag corners and pivot",
-      {"scaling", "reflection", "shear", "rotation (origin, pivot)", "translation", "composition",
-       "geometric against coordinate transformation", "classes (rigid, conformal, affine)"}};
+  return {"transformations",
+          "3 Two-dimensional transformations",
+          "A triangle turned, scaled, sheared, reflected and moved, matrix by matrix",
+          create,
+          1,
+          "drag corners and pivot",
+          {"identity", "scaling (uniform, differential, about a point)",
+           "reflection (axes, origin, y=x, any line y=mx+c)", "shear (x, y)",
+           "rotation (origin, pivot)", "translation", "composition", "homogeneous coordinates",
+           "geometric against coordinate transformation", "classes (rigid, conformal, affine)"}};
 }
 
 }  // namespace kinescope

@@ -97,8 +97,13 @@ std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<T
 }  // namespace
 
 DemoInfo tube_demo() {
-  return {"tube", "1 Displays and coordinates",
-          "One tube, and every knob there is: video, beam, deflection, mask and glass", create};
+  return {"tube",
+          "1 Displays and coordinates",
+          "One tube, and every knob there is: video, beam, deflection, mask and glass",
+          create,
+          1,
+          {},
+          {"CRT: focus, deflection and every other setting with its figure"}};
 }
 
 }  // namespace kinescope

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "demos/catalogue.h"
 #include "demos/commands/commands.h"
 #include "demos/console.h"
 #include "demos/json.h"
+#include "demos/progress.h"
 #include "demos/registry.h"
+#include "raster/image/codecs.h"
 
 namespace kinescope {
 namespace {
@@ -36,9 +39,25 @@ std::string as_table() {
   return table;
 }
 
+void draw_pictures(const std::string& folder, const CommonOptions& common) {
+  const auto studio = std::make_shared<Studio>(common.threads);
+  Progress progress("drawing", static_cast<int>(all_demos().size()), !common.quiet);
+  int drawn = 0;
+  for (const DemoInfo& demo : all_demos()) {
+    write_png(fmt::format("{}/{}.png", folder, demo.name), catalogue_picture(demo, studio));
+    progress.done(++drawn);
+  }
+}
+
 }  // namespace
 
 int run_list(const Options& options) {
+  if (!options.list.pictures.empty()) draw_pictures(options.list.pictures, options.common);
+  if (options.list.markdown) {
+    print_result(gallery_page_markdown("pictures/gallery"));
+    return 0;
+  }
+  if (!options.list.pictures.empty()) return 0;
   print_result(options.common.json ? as_json() : as_table());
   return 0;
 }

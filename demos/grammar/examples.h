@@ -12,7 +12,8 @@ Each command explains itself: kinescope render --help)";
 
 inline constexpr const char* kListExamples = R"(Examples:
   kinescope list
-  kinescope list --json)";
+  kinescope list --json
+  kinescope list --markdown)";
 
 inline constexpr const char* kDemoExamples =
     R"(Without -o a window opens. Script lines: FRAME key NAME, FRAME drag X0 Y0 X1 Y1 FRAMES ...

@@ -272,14 +272,21 @@ bool Lesson::use(int control, float along) {
   return false;
 }
 
+int Lesson::fields() const {
+  return static_cast<int>(plan_.handles.size() + plan_.figures.size()) + (plan_.words ? 1 : 0);
+}
+
+bool Lesson::types_words() const { return typing() && plan_.words && focus_ == fields() - 1; }
+
 void Lesson::focus_on(int field) {
   focus_ = field;
-  field_.set("");
+  field_.set(types_words() ? plan_.words->text : "");
   typing_fault_.clear();
 }
 
 std::string Lesson::shown_in_field(int field) const {
   const auto i = static_cast<std::size_t>(field);
+  if (i >= plan_.handles.size() + plan_.figures.size()) return words();
   if (i >= plan_.handles.size()) {
     return fmt::format("{:.6g}", plan_.figures[i - plan_.handles.size()].value);
   }
@@ -289,7 +296,6 @@ std::string Lesson::shown_in_field(int field) const {
 
 /// Enter accepts, Escape leaves the input as it was, Tab goes to the next field.
 bool Lesson::take_typed(const InputEvent& event) {
-  const int fields = static_cast<int>(plan_.handles.size() + plan_.figures.size());
   if (event.kind == InputKind::kKeyDown && event.key == "Escape") {
     focus_ = kNoField;
     typing_fault_.clear();
@@ -301,7 +307,7 @@ bool Lesson::take_typed(const InputEvent& event) {
     if (!accept()) return false;
     if (tab) {
       do {
-        focus_on((focus_ + 1) % fields);
+        focus_on((focus_ + 1) % fields());
       } while (!handle_shown(focus_));
     } else {
       focus_ = kNoField;
@@ -309,13 +315,15 @@ bool Lesson::take_typed(const InputEvent& event) {
     return changed;
   }
   field_.answer(event);
-  return false;
+  if (!types_words() || plan_.words->text == field_.text) return false;
+  plan_.words->text = field_.text;
+  return true;
 }
 
 /// Takes what was typed; an empty field keeps what was there. @return whether it could be read
 bool Lesson::accept() {
   typing_fault_.clear();
-  if (field_.text.empty()) return true;
+  if (field_.text.empty() || types_words()) return true;
   const auto i = static_cast<std::size_t>(focus_);
   const bool point = i < plan_.handles.size();
   try {

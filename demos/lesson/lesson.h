@@ -33,6 +33,11 @@ struct Figure {
   bool in_pixels = true;  ///< one whose step is 1 grows where the world's pixels become smaller
 };
 
+/// A line of text of the input, taken as it is typed.
+struct Words {
+  std::string label, text;
+};
+
 /// A line to be laid over the picture, in pixels of the world, between pixels too.
 struct Guide {
   glm::dvec2 from{0}, to{0};
@@ -71,6 +76,7 @@ struct LessonPlan {
   std::string look_for{};  ///< one line: what to look for, which keys to try
   std::vector<Handle> handles{};
   std::vector<Figure> figures{};
+  std::optional<Words> words{};
   int resolution = 1;  ///< of Lesson::kCells, from coarse to fine
   int speed = 3;       ///< of Playback::speeds()
   bool centred = false;
@@ -80,12 +86,18 @@ struct LessonPlan {
 
 class Lesson : public Demo {
  public:
+  static constexpr int kSharedKnobs = 4;  ///< the last ones: every lesson has them
   static constexpr std::array kCells = {32, 20, 16, 10, 8, 5, 4, 2};
   static constexpr Srgb8 kPaper{20, 20, 26, 255};  ///< so that borders of unlit pixels show
 
   ~Lesson() override;
   bool typing() const override { return focus_ != kNoField; }
   Rate refresh() const override { return screen_.refresh(); }
+  /// The course's end.
+  std::span<const std::string_view> portrait_keys() const override {
+    static constexpr std::array<std::string_view, 1> kKeys = {"End"};
+    return kKeys;
+  }
   std::size_t state_bytes() const override { return screen_.state_bytes() + kOwnBytes; }
 
   /// For tests: what is shown, and what the panel says.
@@ -93,6 +105,7 @@ class Lesson : public Demo {
   const std::string& fault() const { return typing_fault_.empty() ? fault_ : typing_fault_; }
   std::size_t shown() const { return playback_.shown(); }
   World world() const;
+  int fields() const;
   /// Where something is in the picture: a point of the world, a control of the panel.
   glm::vec2 place_of(glm::dvec2 at, int pane = 0) const {
     return screen_.place(world(), {pane, at});
@@ -133,6 +146,7 @@ class Lesson : public Demo {
   }
   std::size_t corners() const { return plan_.handles.size(); }
   double figure(int index) const { return plan_.figures[static_cast<std::size_t>(index)].value; }
+  const std::string& words() const { return plan_.words->text; }
   int whole_figure(int index) const;  ///< @throws Error (bad input) if it is no int
   void set_figure(int index, double value) {
     plan_.figures[static_cast<std::size_t>(index)].value = value;
@@ -169,6 +183,7 @@ class Lesson : public Demo {
   void focus_on(int field);
   bool take_typed(const InputEvent& event);
   bool accept();
+  bool types_words() const;
   std::string shown_in_field(int field) const;
   int handle_near(const InputEvent& event) const;
   enum class Begin { kFirst, kLast, kStay };

@@ -13,7 +13,7 @@ namespace kinescope {
 namespace {
 
 constexpr float kHintRoom = 86;        // below the picture, with the window's own line
-constexpr std::size_t kMostLit = 256;  // pixels of a step that has a frame around each
+constexpr std::size_t kMostLit = 256;  // pixels of a step: fewer have a frame around each
 
 std::string cell(double value) {
   if (value == std::floor(value) && std::abs(value) < 1e9) return fmt::format("{:.0f}", value);
@@ -27,6 +27,7 @@ std::string cell(double value) {
 Rect Lesson::side() const {
   const float margin = theme::kMargin * theme::scale_for(height());
   const auto w = static_cast<float>(width()), h = static_cast<float>(height());
+  if (portrait()) return {w, 0, 0, h};
   const float across = std::floor(std::min(Form::kWidth * theme::scale_for(height()), w * 0.4f));
   return {w - across, 0, across, h - std::floor(std::min(margin, h * 0.01f))};
 }
@@ -34,6 +35,7 @@ Rect Lesson::side() const {
 Rect Lesson::stage() const {
   // A thumbnail's picture keeps most of its height.
   const float scale = theme::scale_for(height()), h = static_cast<float>(height());
+  if (portrait()) return {0, 0, side().x, h};
   const float room = h - std::min(kHintRoom * scale, 0.4f * h);
   const float gap = std::min(theme::kGap * scale, 0.1f * std::min(side().x, room));
   return Rect{0, 0, side().x, room}.shrunk(gap);
@@ -59,6 +61,7 @@ void Lesson::draw_fields(Form& form) const {
     form.slider(kFirstSlider + static_cast<int>(i),
                 static_cast<float>((f.value - f.least) / (f.most - f.least)));
   }
+  if (plan_.words) field(static_cast<std::size_t>(fields()) - 1, plan_.words->label);
   if (!typing_fault_.empty()) form.text(typing_fault_, theme::kRed);
   if (!fault_.empty()) form.text(fault_, theme::kRed);
 }
@@ -148,6 +151,7 @@ void Lesson::draw_state(Form& form) const {
 }
 
 void Lesson::draw_side() {
+  if (portrait()) return;
   const Rect room = side();
   auto sheet = std::make_shared<Sheet>();
   sheet->image = Image<Srgb8>(static_cast<int>(room.width), static_cast<int>(room.height),
@@ -204,14 +208,16 @@ void Lesson::draw_pane(Canvas& canvas, const World& world, int pane, const Overl
 
 /// The pixels of the last step, each in a frame, and the tracks' names where there are several.
 void Lesson::draw_marks(Canvas& canvas, const World& world) const {
+  if (portrait()) return;
   const float scale = theme::scale_for(height());
   const float pixel = screen_.face().width * static_cast<float>(world.cell) / World::kScreenWidth;
   for (const Track& track : course_->tracks) {
     const std::size_t now = playback_.shown();
     if (now == 0 || now > track.steps()) continue;
     const auto marks = track.marks(now - 1);
-    for (std::size_t i = 0; i < marks.size() && marks.size() <= kMostLit; ++i) {
-      const glm::vec2 at = screen_.place(world, {track.pane(), {marks[i].x, marks[i].y}});
+    if (marks.size() > kMostLit) continue;
+    for (const Mark& mark : marks) {
+      const glm::vec2 at = screen_.place(world, {track.pane(), {mark.x, mark.y}});
       canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
     }
   }
@@ -221,8 +227,12 @@ void Lesson::draw_marks(Canvas& canvas, const World& world) const {
     if (panes == 1) break;
     const glm::vec2 at = screen_.place(world, {track.pane(), {0, 0}});
     const int above = named[static_cast<std::size_t>(track.pane())]++;
-    canvas.text(studio().sans, at + glm::vec2(6, 17 * (1 + above)) * scale, track.name(),
-                theme::kSmall * scale, track.ink());
+    const float size = theme::kSmall * scale, line = 17 * scale;
+    const float wide = studio().sans.width_px(track.name(), size) + 12 * scale;
+    canvas.fill({at.x, at.y + static_cast<float>(above) * line, wide, line + 6 * scale},
+                theme::kPanel);
+    canvas.text(studio().sans, at + glm::vec2(6 * scale, static_cast<float>(1 + above) * line),
+                track.name(), size, track.ink());
   }
 }
 

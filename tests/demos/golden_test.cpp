@@ -112,6 +112,38 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
+// Lessons of chapters 1, 2, 3 and 8 at their courses' ends.
+INSTANTIATE_TEST_SUITE_P(
+    Lessons, GoldenPicture,
+    ::testing::Values(Golden{"lines", "lines", 4, "1 key End\n"},
+                      Golden{"circles", "circles", 4, "1 key End\n"},
+                      Golden{"conics", "conics", 4, "0 key 5\n1 key End\n"},
+                      Golden{"strokes", "strokes", 4, "1 key End\n"},
+                      Golden{"inside-tests", "inside-tests", 4, "1 key End\n"},
+                      Golden{"seed-fill", "seed-fill", 4, "1 key End\n"},
+                      Golden{"scanline-fill", "scanline-fill", 4, "1 key End\n"},
+                      Golden{"areas", "areas", 4, "1 key End\n"},
+                      Golden{"characters", "characters", 4, "1 key End\n"},
+                      Golden{"antialiasing", "antialiasing", 4, "1 key End\n"},
+                      Golden{"dithering", "dithering", 4, "1 key End\n"},
+                      Golden{"transformations", "transformations", 4, "1 key End\n"},
+                      Golden{"samples", "samples", 4, "1 key End\n"},
+                      Golden{"coordinates", "coordinates", 4, "1 key End\n"},
+                      Golden{"cad-part", "cad-part", 4, "1 key End\n"},
+                      Golden{"charts", "charts", 4, "0 key 3\n1 key End\n"},
+                      Golden{"enhancement", "enhancement", 4, "1 key End\n"},
+                      Golden{"dithering-palette", "dithering", 4, "0 key i\n1 key End\n"},
+                      Golden{"paint", "paint", 9,
+                             "1 key 2\n1 drag 40 40 90 70 4\n6 key 6\n6 drag 40 90 60 100 2\n"},
+                      Golden{"windows", "windows", 9,
+                             "1 drag 45 50 60 120 4\n7 click 150 50 right\n"},
+                      Golden{"four-operations", "four-operations", 9, ""}),
+    [](const auto& golden) {
+      std::string name = golden.param.file;
+      std::erase(name, '-');
+      return name;
+    });
+
 TEST(GoldenComparison, SeesADifferenceAndForgivesATrifle) {
   Image<Srgb8> a(100, 100, {90, 90, 90, 255}), b = a;
   for (int i = 0; i < 100; ++i) b.at(i, 5).g = 93;

@@ -1,0 +1,190 @@
+// Picture enhancement: tone curves by the histogram, convolutions, and the median.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/lesson/lesson.h"
+#include "demos/lesson/photograph.h"
+#include "engine/fractals/random.h"
+#include "raster/base/error.h"
+#include "raster/image/convolution.h"
+#include "raster/image/median_filter.h"
+#include "raster/image/tone_curve.h"
+
+namespace kinescope {
+namespace {
+
+enum { kOperation, kSpecks, kFaint };
+enum {
+  kStretch,
+  kEqualize,
+  kContrast,
+  kGamma,
+  kNegative,
+  kBox,
+  kGaussian,
+  kSharpen,
+  kLaplacian,
+  kSobel,
+  kEmboss,
+  kMedian
+};
+enum { kBefore, kAfter, kHistogramBefore, kHistogramAfter };
+
+class Enhancement : public ClonableDemo<Enhancement, Lesson> {
+ public:
+  explicit Enhancement(const DemoSetup& setup)
+      : ClonableDemo(
+            setup,
+            {.look_for = "A faint picture's tones crowd in the middle of its histogram; curves "
+                         "spread them. Sums of neighbours blur or find edges. Specks yield to the "
+                         "median, not to a mean: x, then box and median.",
+             .figures = {{"amount", 1.5, 0.25, 4, 0.25}},
+             .resolution = 7,
+             .speed = 4},
+            {choice_knob("operation", {"o"},
+                         {"stretch", "equalize", "contrast", "gamma", "negative", "box", "Gaussian",
+                          "sharpen", "Laplacian", "Sobel", "emboss", "median"},
+                         kEqualize, "what is done to the picture"),
+             toggle_knob("specks", "x", false, "white and black specks spoil the picture first"),
+             toggle_knob("faint", "f", true, "the picture is taken through mist")}),
+        seed_(setup.seed) {}
+
+ private:
+  glm::ivec2 panes() const override { return {2, 2}; }
+
+  GreyImage subject() const {
+    GreyImage image =
+        grey_of(photograph(studio().workers, world().columns(), world().rows()), false);
+    if (knob(kFaint).on()) {
+      image = with_curve(std::move(image), tone_curve([](double t) { return 0.42 + 0.25 * t; }));
+    }
+    SeededRandom random(seed_);
+    for (std::uint8_t& tone : image.pixels()) {
+      constexpr double kShare = 0.04;
+      const double chance = random.uniform();
+      if (knob(kSpecks).on() && chance < kShare) tone = chance < kShare / 2 ? 0 : 255;
+    }
+    return image;
+  }
+
+  double amount() const {
+    const double amount = figure(0);
+    if (!(amount > 0 && amount <= 10)) throw_bad_input("amount: above 0, at most 10");
+    return amount;
+  }
+
+  template <typename Sink>
+  void enhance(const GreyImage& image, Sink&& sink) const {
+    const auto curve = [&](const ToneCurve& by) {
+      for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) sink(x, y, by[image.at(x, y)]);
+      }
+    };
+    const int pixels = static_cast<int>(std::lround(amount()));
+    switch (knob(kOperation).index()) {
+      case kStretch:
+        return curve(stretching_curve(histogram(image), 0.005));
+      case kEqualize:
+        return curve(equalizing_curve(histogram(image)));
+      case kContrast:
+        return curve(contrast_curve(amount()));
+      case kGamma:
+        return curve(power_curve(amount()));
+      case kNegative:
+        return curve(negative_curve());
+      case kBox:
+        return convolve(image, box_blur(2 * pixels + 1), sink);
+      case kGaussian:
+        return convolve(image, gaussian_blur(amount()), sink);
+      case kSharpen:
+        return convolve(image, sharpening(amount()), sink);
+      case kLaplacian:
+        return convolve(image, laplacian(), sink);
+      case kSobel:
+        return sobel_edges(image, sink);
+      case kEmboss:
+        return convolve(image, emboss(), sink);
+      default:
+        return median_filter(image, pixels, sink);
+    }
+  }
+
+  static Srgb8 grey(std::uint8_t tone) { return {tone, tone, tone, 255}; }
+
+  /// One column a step, of as many tones as fall on it.
+  Track bars(const char* name, const Histogram& counts, int pane, Srgb8 colour) const {
+    Track track(name, {}, pane, colour);
+    const int columns = world().columns(), rows = world().rows();
+    std::vector<double> sums(static_cast<std::size_t>(columns));
+    for (int tone = 0; tone < 256; ++tone) {
+      sums[static_cast<std::size_t>(tone * columns / 256)] +=
+          static_cast<double>(counts[static_cast<std::size_t>(tone)]);
+    }
+    const double most = *std::max_element(sums.begin(), sums.end());
+    for (int x = 0; x < columns; ++x) {
+      // The root, so that small counts are seen beside a peak.
+      const double share = std::sqrt(sums[static_cast<std::size_t>(x)] / std::max(most, 1.0));
+      const int top = rows - static_cast<int>(std::lround(share * (rows - 4)));
+      for (int y = top; y < rows; ++y) track(x, y);
+      track.step({});
+    }
+    return track;
+  }
+
+  Course record() const override {
+    const GreyImage image = subject();
+    GreyImage result(image.width(), image.height());
+    Track after(knob(kOperation).text(), {"row"}, kAfter);
+    enhance(image, [&](int x, int y, std::uint8_t tone) {
+      result.at(x, y) = tone;
+      after.plot(x, y, grey(tone));
+      if (x + 1 == image.width()) after.step({double(y)});
+    });
+    Course course;
+    course.papers.resize(1);
+    course.papers[0] = Image<Srgb8>(image.width(), image.height());
+    for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+      course.papers[0].pixels()[i] = grey(image.pixels()[i]);
+    }
+    const Histogram before = histogram(image), now = histogram(result);
+    course.tracks.push_back(Track("before", {}, kBefore));
+    course.tracks.push_back(std::move(after));
+    course.tracks.push_back(bars("its histogram", before, kHistogramBefore, theme::kCool));
+    course.tracks.push_back(bars("and now", now, kHistogramAfter, theme::kAccent));
+    course.remarks = {"before: " + told(before), "after: " + told(now)};
+    return course;
+  }
+
+  /// Mean and spread of the tones, and how many there are.
+  static std::string told(const Histogram& counts) {
+    double count = 0, sum = 0, squares = 0;
+    int tones = 0;
+    for (std::size_t tone = 0; tone < counts.size(); ++tone) {
+      const auto n = static_cast<double>(counts[tone]), t = static_cast<double>(tone);
+      count += n;
+      sum += n * t;
+      squares += n * t * t;
+      tones += counts[tone] > 0;
+    }
+    const double mean = sum / count, variance = std::max(0.0, squares / count - mean * mean);
+    return fmt::format("mean {:.1f}, deviation {:.1f}, {} tones", mean, std::sqrt(variance), tones);
+  }
+
+  std::uint64_t seed_;
+};
+
+}  // namespace
+
+DemoInfo enhancement_demo() {
+  return {"enhancement",
+          "1 Displays and coordinates",
+          "A picture enhanced: histogram, contrast, convolution, edges, median",
+          [](const DemoSetup& setup) { return std::make_unique<Enhancement>(setup); },
+          1,
+          {},
+          {"applications: picture enhancement", "imaging"}};
+}
+
+}  // namespace kinescope

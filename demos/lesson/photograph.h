@@ -1,0 +1,16 @@
+// A photograph for lessons that work on pictures: a still life that our own renderer takes.
+#pragma once
+
+#include "raster/base/workers.h"
+#include "raster/dither/grey.h"
+#include "raster/image/image.h"
+
+namespace kinescope {
+
+/// The teapot on a table before a wall, in daylight and lamplight.
+Image<Srgb8> photograph(Workers& workers, int width, int height);
+
+/// Its encoded codes of grey; `linear`: its light instead, for ditherers.
+GreyImage grey_of(const Image<Srgb8>& picture, bool linear);
+
+}  // namespace kinescope

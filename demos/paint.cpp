@@ -1,0 +1,227 @@
+// A paint program: brushes, a spray can, filling, and figures stretched like rubber bands.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "demos/lesson/lesson.h"
+#include "engine/fractals/random.h"
+#include "raster/base/error.h"
+#include "raster/fill/flood_fill.h"
+#include "raster/scan/midpoint_ellipse.h"
+#include "raster/scan/spray.h"
+#include "raster/scan/thick_pen.h"
+
+namespace kinescope {
+namespace {
+
+enum { kTool, kColour };
+enum { kBrush, kSpray, kFill, kLine, kBox, kEllipse };
+constexpr Srgb8 kPaper{240, 236, 226, 255};
+constexpr std::array kInks = {Srgb8{24, 24, 30, 255},   Srgb8{200, 44, 40, 255},
+                              Srgb8{236, 160, 30, 255}, Srgb8{40, 140, 60, 255},
+                              Srgb8{36, 110, 200, 255}, kPaper};
+constexpr int kDropsAMove = 40;
+
+class Paint : public ClonableDemo<Paint, Lesson> {
+ public:
+  explicit Paint(const DemoSetup& setup)
+      : ClonableDemo(
+            setup,
+            {.look_for = "Drag with the left button: brush, spray, or stretch a line, box or "
+                         "ellipse. A click fills. The right button picks up a colour; u takes the "
+                         "last stroke back, x clears.",
+             .figures = {{"width", 7, 1, 31, 1, false}},
+             .resolution = 7,
+             .speed = 8},
+            {choice_knob("tool", {"1", "2", "3", "4", "5", "6"},
+                         {"brush", "spray", "fill", "line", "box", "ellipse"}, kBrush,
+                         "what the left button does"),
+             choice_knob("colour", {"c"}, {"black", "red", "amber", "green", "blue", "paper"}, 4,
+                         "of the paint")}),
+        random_(setup.seed) {
+    paper_ = first_picture();
+  }
+  std::size_t state_bytes() const override {
+    return Lesson::state_bytes() + (1 + kMostUndone) * 4 * paper_.pixels().size();
+  }
+
+ private:
+  static constexpr std::size_t kMostUndone = 16;
+
+  Srgb8 ink() const { return kInks[static_cast<std::size_t>(knob(kColour).index())]; }
+  int width_of_brush() const {
+    const int width = whole_figure(0);
+    if (width < 1 || width > 100) throw_bad_input("width: from 1 to 100 pixels");
+    return width;
+  }
+
+  /// So that there is something to fill.
+  Image<Srgb8> first_picture() const {
+    Image<Srgb8> paper(World::kScreenWidth / 2, World::kScreenHeight / 2, kPaper);
+    const int w = paper.width(), h = paper.height();
+    stroke(paper, {w / 10, h * 3 / 4}, {w * 9 / 10, h * 3 / 4}, 3, kInks[3]);
+    const std::array<glm::ivec2, 5> house = {{{w / 3, h * 3 / 4},
+                                              {w / 3, h / 2},
+                                              {w / 2, h / 3},
+                                              {w * 2 / 3, h / 2},
+                                              {w * 2 / 3, h * 3 / 4}}};
+    for (std::size_t i = 1; i < house.size(); ++i) {
+      stroke(paper, house[i - 1], house[i], 3, kInks[0]);
+    }
+    ellipse(paper, {w * 5 / 6, h / 6}, {h / 12, h / 12}, 3, kInks[2]);
+    flood_fill(paper, w * 5 / 6, h / 6, Connectivity::kFour, on(paper, kInks[2]));
+    flood_fill(paper, w / 2, h / 2, Connectivity::kFour, on(paper, kInks[1]));
+    return paper;
+  }
+
+  /// A sink for points and rows.
+  struct Brush {
+    Image<Srgb8>& paper;
+    Srgb8 colour;
+    void operator()(int x, int y) const {
+      if (paper.contains(x, y)) paper.at(x, y) = colour;
+    }
+    void operator()(const RowSpan& span) const {
+      for (int x = span.x_begin; x < span.x_end; ++x) (*this)(x, span.y);
+    }
+  };
+  static Brush on(Image<Srgb8>& paper, Srgb8 colour) { return {paper, colour}; }
+  static void stroke(Image<Srgb8>& paper, glm::ivec2 from, glm::ivec2 to, int width, Srgb8 colour) {
+    pen_line(from, to, Pen::round(width), on(paper, colour));
+  }
+  static void ellipse(Image<Srgb8>& paper, glm::ivec2 centre, glm::ivec2 radii, int width,
+                      Srgb8 colour) {
+    for (MidpointEllipse e(radii); e.next();) {
+      four_way(centre, e.at(), [&](int x, int y) { stroke(paper, {x, y}, {x, y}, width, colour); });
+    }
+  }
+
+  /// The figure from where the button went down to here.
+  void figure_to(Image<Srgb8>& paper, glm::ivec2 to) const {
+    const glm::ivec2 from = *down_;
+    const int width = width_of_brush();
+    switch (knob(kTool).index()) {
+      case kLine:
+        stroke(paper, from, to, width, ink());
+        break;
+      case kBox:
+        stroke(paper, from, {to.x, from.y}, width, ink());
+        stroke(paper, {to.x, from.y}, to, width, ink());
+        stroke(paper, to, {from.x, to.y}, width, ink());
+        stroke(paper, {from.x, to.y}, from, width, ink());
+        break;
+      default:
+        ellipse(paper, from, glm::abs(to - from), width, ink());
+    }
+  }
+
+  void dab(glm::ivec2 at) {
+    if (knob(kTool).index() == kSpray) {
+      spray(glm::dvec2(at) + 0.5, 1.5 * width_of_brush(), kDropsAMove, random_, on(paper_, ink()));
+    } else {
+      stroke(paper_, last_, at, width_of_brush(), ink());
+    }
+    last_ = at;
+  }
+
+  bool answer(const InputEvent& event, LessonScreen::Spot spot) override {
+    match_paper();
+    const glm::ivec2 at(glm::clamp(glm::floor(spot.at), glm::dvec2(-4000), glm::dvec2(4000)));
+    if (event.kind == InputKind::kKeyDown) return key(event.key);
+    if (event.kind == InputKind::kMouseDown && paper_.contains(at.x, at.y)) return press(event, at);
+    if (event.kind == InputKind::kMouseMove && down_) {
+      if (knob(kTool).index() < kFill) dab(at);
+      last_ = at;
+      return true;
+    }
+    if (event.kind == InputKind::kMouseUp && down_) {
+      if (knob(kTool).index() > kFill) figure_to(paper_, at);
+      down_.reset();
+      return true;
+    }
+    return false;
+  }
+
+  bool press(const InputEvent& event, glm::ivec2 at) {
+    if (event.button == MouseButton::kRight) return pick(paper_.at(at.x, at.y));
+    if (event.button != MouseButton::kLeft) return false;
+    before_.push_back(paper_);
+    if (before_.size() > kMostUndone) before_.erase(before_.begin());
+    down_ = last_ = at;
+    if (knob(kTool).index() == kFill) {
+      flood_fill(paper_, at.x, at.y, Connectivity::kFour, on(paper_, ink()));
+    } else if (knob(kTool).index() < kFill) {
+      dab(at);
+    }
+    return true;
+  }
+
+  bool pick(Srgb8 colour) {
+    for (std::size_t i = 0; i < kInks.size(); ++i) {
+      if (kInks[i] == colour) turn(kColour, static_cast<double>(i));
+    }
+    return true;
+  }
+
+  bool key(const std::string& key) {
+    if (key == "u" && !before_.empty()) {
+      paper_ = std::move(before_.back());
+      before_.pop_back();
+      return true;
+    }
+    if (key != "x") return false;
+    before_.push_back(paper_);
+    paper_ = Image<Srgb8>(paper_.width(), paper_.height(), kPaper);
+    return true;
+  }
+
+  /// What was painted stays, with other pixels, where the resolution has changed.
+  static Image<Srgb8> sampled(const Image<Srgb8>& paper, int width, int height) {
+    Image<Srgb8> other(width, height);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        other.at(x, y) = paper.at(x * paper.width() / width, y * paper.height() / height);
+      }
+    }
+    return other;
+  }
+  void match_paper() {
+    if (paper_.width() == world().columns()) return;
+    paper_ = sampled(paper_, world().columns(), world().rows());
+    before_.clear();
+  }
+
+  Course record() const override {
+    Course course;
+    Image<Srgb8> shown = sampled(paper_, world().columns(), world().rows());
+    if (down_ && knob(kTool).index() > kFill) figure_to(shown, last_);
+    width_of_brush();
+    course.papers.push_back(std::move(shown));
+    course.remarks.push_back(fmt::format("{} in {}, {} strokes can be taken back",
+                                         knob(kTool).text(), knob(kColour).text(), before_.size()));
+    return course;
+  }
+
+  SeededRandom random_;
+  Image<Srgb8> paper_;
+  std::vector<Image<Srgb8>> before_;
+  std::optional<glm::ivec2> down_;
+  glm::ivec2 last_{0};
+};
+
+}  // namespace
+
+DemoInfo paint_demo() {
+  return {"paint",
+          "1 Displays and coordinates",
+          "A paint program: brush widths and colours, spray, fill, rubber-band figures",
+          [](const DemoSetup& setup) { return std::make_unique<Paint>(setup); },
+          1,
+          "left: paint, right: pick a colour",
+          {"applications: a paint program (brush widths and colours)", "input: mouse, keyboard"}};
+}
+
+}  // namespace kinescope
