@@ -227,16 +227,24 @@ void DownBy(int groups, int any_taps, const float* const* narrow_rows,
             float* out) {
   const int taps = kTaps > 0 ? kTaps : any_taps;
   // In registers: what is stored might alias them.
-  Pair weight[kTaps > 0 ? kTaps : 64];
-  for (int t = 0; t < taps; ++t) weight[t] = {set(narrow_weight[t]), set(wide_weight[t])};
+  constexpr int kRows = kTaps > 0 ? kTaps : 64;
+  Floats narrow_by[kRows], wide_by[kRows];
+  const float *narrow[kRows], *wide[kRows];
+#pragma GCC unroll 6
+  for (int t = 0; t < taps; ++t) {
+    narrow_by[t] = set(narrow_weight[t]);
+    wide_by[t] = set(wide_weight[t]);
+    narrow[t] = narrow_rows[t];
+    wide[t] = wide_rows[t];
+  }
   for (int x = 0; x < groups * kGroup; x += lanes()) {
-    Pair sum{kAdd ? hn::LoadU(d, out + x) : hn::Zero(d), hn::Zero(d)};
+    Floats narrow_sum = kAdd ? hn::LoadU(d, out + x) : hn::Zero(d), wide_sum = hn::Zero(d);
 #pragma GCC unroll 6
     for (int t = 0; t < taps; ++t) {
-      sum.narrow = hn::MulAdd(weight[t].narrow, hn::LoadU(d, narrow_rows[t] + x), sum.narrow);
-      sum.wide = hn::MulAdd(weight[t].wide, hn::LoadU(d, wide_rows[t] + x), sum.wide);
+      narrow_sum = hn::MulAdd(narrow_by[t], hn::LoadU(d, narrow[t] + x), narrow_sum);
+      wide_sum = hn::MulAdd(wide_by[t], hn::LoadU(d, wide[t] + x), wide_sum);
     }
-    hn::StoreU(hn::Add(sum.narrow, sum.wide), d, out + x);
+    hn::StoreU(hn::Add(narrow_sum, wide_sum), d, out + x);
   }
 }
 
