@@ -3,6 +3,7 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <cmath>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "display/tube/curve_kernels.cpp"
@@ -175,138 +176,140 @@ void SpreadAcrossCurve(const AcrossCurve& curve, CellRows cells, SpreadRows out)
   }
 }
 
-/// The spot's profile down, of lines that lie `away` from a row.
+/// The spot's profile down, of lines a pixel apart: both Gaussians' 4 lines, the narrow one's
+/// first.
 struct LineProfile {
-  float narrow_fall, wide_fall;      // of the exponent of 2, by distance squared
-  float narrow_height, wide_height;  // Gaussians are as bright as they are narrow, lines as they
-                                     // are wide apart
-  Floats narrow(Floats away) const { return weight(away, set(narrow_fall), set(narrow_height)); }
-  Floats wide(Floats away) const { return weight(away, set(wide_fall), set(wide_height)); }
-  static HWY_INLINE Floats weight(Floats away, Floats fall, Floats height) {
-    return hn::Mul(exp2_below(hn::Mul(hn::Mul(away, away), fall)), height);
+  HWY_ALIGN float fall[2 * kLineTaps];    // of the exponent of 2, by distance squared
+  HWY_ALIGN float height[2 * kLineTaps];  // Gaussians are as bright as they are narrow, lines as
+                                          // they are wide apart
+  HWY_ALIGN float line[2 * kLineTaps];
+  explicit LineProfile(const LineGrid& grid) {
+    constexpr float kLog2E = 1.44269504f, kInverseRoot2Pi = 0.39894228f;
+    for (int i = 0; i < 2 * kLineTaps; ++i) {
+      const float pixels = i < kLineTaps ? grid.narrow_pixels : grid.wide_pixels;
+      fall[i] = -0.5f * kLog2E / (pixels * pixels);
+      height[i] = kInverseRoot2Pi / (grid.lines_a_pixel * pixels);
+      line[i] = static_cast<float>(i % kLineTaps);
+    }
   }
 };
 
-/// Both Gaussians' weights of all lines at one place: a lane each, the narrow one's first.
-HWY_INLINE void WeighNode(const LineProfile& p, float away, float* weights) {
+/// Weights at one place, `away` from the first line, where lines lie 1 / sqrt(square) pixels apart.
+HWY_INLINE void WeighNode(const LineProfile& profile, float away, float square, float* weights) {
   for (int x = 0; x < 2 * kLineTaps; x += lanes()) {
-    const Floats lane = hn::Add(lane_numbers(d), set(static_cast<float>(x)));
-    const auto wide = hn::Ge(lane, set(static_cast<float>(kLineTaps)));
-    const Floats line = hn::Sub(lane, hn::IfThenElseZero(wide, set(kLineTaps)));
-    const Floats fall = hn::IfThenElse(wide, set(p.wide_fall), set(p.narrow_fall));
-    const Floats height = hn::IfThenElse(wide, set(p.wide_height), set(p.narrow_height));
-    hn::StoreU(LineProfile::weight(hn::Sub(set(away), line), fall, height), d, weights + x);
+    const Floats from_line = hn::Sub(set(away), hn::Load(d, profile.line + x));
+    const Floats fall = hn::Mul(hn::Load(d, profile.fall + x), set(square));
+    const Floats power = exp2_below(hn::Mul(hn::Mul(from_line, from_line), fall));
+    hn::Store(hn::Mul(power, hn::Load(d, profile.height + x)), d, weights + x);
   }
 }
 
 /// The weights of a group's columns, each its own.
 struct SteepWeights {
-  LineProfile profile;
+  const LineProfile& profile;
   float away, step;  // of the first column from the first line; from column to column
-  HWY_INLINE void at(int x, int tap, Floats& narrow, Floats& wide) const {
-    const Floats column = hn::Add(lane_numbers(d), set(static_cast<float>(x)));
+  float square;
+  HWY_INLINE Floats of(Floats column, int i) const {
     const Floats first = hn::MulAdd(set(step), column, set(away));
-    const Floats from_line = hn::Sub(first, set(static_cast<float>(tap)));
-    narrow = profile.narrow(from_line);
-    wide = profile.wide(from_line);
+    const Floats from_line = hn::Sub(first, set(profile.line[i]));
+    const Floats fall = set(profile.fall[i] * square);
+    return hn::Mul(exp2_below(hn::Mul(hn::Mul(from_line, from_line), fall)),
+                   set(profile.height[i]));
   }
 };
 
 /// The same where the lines are so nearly level that weights change evenly along a group.
 struct LevelWeights {
-  float from[2 * kLineTaps], to[2 * kLineTaps];  // less `from`
-  LevelWeights(const LineProfile& profile, float away, float fall) {
-    WeighNode(profile, away, from);
-    WeighNode(profile, away + fall, to);
-    for (int x = 0; x < 2 * kLineTaps; x += lanes()) {
-      hn::StoreU(hn::Sub(hn::LoadU(d, to + x), hn::LoadU(d, from + x)), d, to + x);
-    }
-  }
-  HWY_INLINE void at(int x, int tap, Floats& narrow, Floats& wide) const {
-    const Floats column =
-        hn::Mul(hn::Add(lane_numbers(d), set(static_cast<float>(x))), set(1.0f / kGroup));
-    narrow = hn::MulAdd(set(to[tap]), column, set(from[tap]));
-    wide = hn::MulAdd(set(to[kLineTaps + tap]), column, set(from[kLineTaps + tap]));
+  const float *from, *rise;  // a column
+  HWY_INLINE Floats of(Floats column, int i) const {
+    return hn::MulAdd(set(rise[i]), column, set(from[i]));
   }
 };
 
 /// A group's columns in every ring. @param first its first line
 template <int kRings, typename Weights>
-HWY_INLINE void SumLines(const Weights& weights, const LineRing* rings, int first, int group) {
-  int row[kRings][kLineTaps];
-  for (int r = 0; r < kRings; ++r) {
-    for (int t = 0; t < kLineTaps; ++t) {
-      row[r][t] = ((first + t) & rings[r].mask) * rings[r].pitch + group * kGroup;
-    }
-  }
+HWY_INLINE void SumLines(const Weights& weights, const LineRing& ring, const LineRows* rows,
+                         int first, int group) {
+  std::ptrdiff_t at[kLineTaps];
+  for (int t = 0; t < kLineTaps; ++t) at[t] = ((first + t) & ring.mask) * ring.pitch;
   for (int x = 0; x < kGroup; x += lanes()) {
+    const Floats column = hn::Add(lane_numbers(d), set(static_cast<float>(x)));
     Floats narrow_sum[kRings], wide_sum[kRings];
 #pragma GCC unroll 3
     for (int r = 0; r < kRings; ++r) narrow_sum[r] = wide_sum[r] = hn::Zero(d);
 #pragma GCC unroll 4
     for (int t = 0; t < kLineTaps; ++t) {
-      Floats narrow, wide;
-      weights.at(x, t, narrow, wide);
+      const Floats narrow = weights.of(column, t), wide = weights.of(column, kLineTaps + t);
+      const std::ptrdiff_t place = at[t] + group * kGroup + x;
 #pragma GCC unroll 3
       for (int r = 0; r < kRings; ++r) {
-        const Floats narrow_line = hn::LoadU(d, rings[r].narrow + row[r][t] + x);
-        const Floats wide_line = hn::LoadU(d, rings[r].wide + row[r][t] + x);
-        narrow_sum[r] = hn::MulAdd(narrow, narrow_line, narrow_sum[r]);
-        wide_sum[r] = hn::MulAdd(wide, wide_line, wide_sum[r]);
+        narrow_sum[r] = hn::MulAdd(narrow, hn::LoadU(d, rows[r].narrow + place), narrow_sum[r]);
+        wide_sum[r] = hn::MulAdd(wide, hn::LoadU(d, rows[r].wide + place), wide_sum[r]);
       }
     }
 #pragma GCC unroll 3
     for (int r = 0; r < kRings; ++r) {
-      hn::StoreU(hn::Add(narrow_sum[r], wide_sum[r]), d, rings[r].out + group * kGroup + x);
+      hn::StoreU(hn::Add(narrow_sum[r], wide_sum[r]), d, rows[r].out + group * kGroup + x);
     }
   }
 }
 
 template <int kRings>
-HWY_INLINE void DownCurve(const LineGrid& any_grid, const LineRing* any_rings) {
-  constexpr float kLog2E = 1.44269504f, kInverseRoot2Pi = 0.39894228f;
+HWY_INLINE void DownCurve(const LineGrid& any_grid, const LineRing& any_ring,
+                          const LineRows* any_rows) {
   const LineGrid grid = any_grid;  // nothing that is stored aliases a copy
-  LineRing rings[kRings];
-  std::copy_n(any_rings, kRings, rings);
+  const LineRing ring = any_ring;
+  LineRows rows[kRings];
+  std::copy_n(any_rows, kRings, rows);
+  const LineProfile profile(grid);
+  HWY_ALIGN float nodes[2][2 * kLineTaps], rise[2 * kLineTaps];
   const auto line_at = [&](int node) {
     return grid.above[node] + grid.share * (grid.below[node] - grid.above[node]);
   };
-  const float narrow_least = 1 / (grid.narrow_pixels * grid.narrow_pixels);
-  const float wide_least = 1 / (grid.wide_pixels * grid.wide_pixels);
-  LineProfile profile{};
-  profile.narrow_height = kInverseRoot2Pi / (grid.lines_a_pixel * grid.narrow_pixels);
-  profile.wide_height = kInverseRoot2Pi / (grid.lines_a_pixel * grid.wide_pixels);
-  float from = line_at(0);
+  const auto square_at = [&](int node) {
+    const float fall = (grid.below[node] - grid.above[node]) * (1.0f / kGroup);
+    const float pitch = std::max(fall, grid.least_pitch);
+    return 1 / (pitch * pitch);
+  };
+  // Halfway between nodes, a Gaussian's height differs by (fall / deviation)^2 / 8.
+  constexpr float kLevel = 0.17f;
+  const float level = kLevel * kLevel * grid.narrow_pixels * grid.narrow_pixels;
+  float from = line_at(0), square = square_at(0);
+  int weighed = -1;  // the first line of the weights at the group's first node, if `known`
+  bool known = false;
   for (int group = 0; group < grid.groups; ++group) {
-    const float to = line_at(group + 1);
-    const float fall =
-        (grid.below[group] - grid.above[group]) + (grid.below[group + 1] - grid.above[group + 1]);
-    const float pitch = std::max(fall * (0.5f / kGroup), grid.least_pitch);
-    const float square = 1 / (pitch * pitch);
-    profile.narrow_fall = -0.5f * kLog2E * square * narrow_least;
-    profile.wide_fall = -0.5f * kLog2E * square * wide_least;
+    const float to = line_at(group + 1), next_square = square_at(group + 1);
     const int first = static_cast<int>(std::floor(0.5f * (from + to) - 0.5f * kLineTaps + 1.0f));
-    const float away = from - static_cast<float>(first);
-    // Halfway between, a Gaussian's height differs by (fall / deviation)^2 / 8.
-    constexpr float kLevel = 0.17f;
-    if ((to - from) * (to - from) * square * narrow_least < kLevel * kLevel) {
-      SumLines<kRings>(LevelWeights(profile, away, to - from), rings, first, group);
+    const float away = from - static_cast<float>(first), fall = to - from;
+    if (fall * fall * square < level) {
+      float *const left = nodes[group & 1], *const right = nodes[~group & 1];
+      if (!known || weighed != first) WeighNode(profile, away, square, left);
+      WeighNode(profile, away + fall, next_square, right);
+      for (int x = 0; x < 2 * kLineTaps; x += lanes()) {
+        const Floats all = hn::Sub(hn::Load(d, right + x), hn::Load(d, left + x));
+        hn::Store(hn::Mul(all, set(1.0f / kGroup)), d, rise + x);
+      }
+      SumLines<kRings>(LevelWeights{left, rise}, ring, rows, first, group);
+      weighed = first;
+      known = true;
     } else {
-      SumLines<kRings>(SteepWeights{profile, away, (to - from) * (1.0f / kGroup)}, rings, first,
-                       group);
+      const SteepWeights weights{profile, away, fall * (1.0f / kGroup), square};
+      SumLines<kRings>(weights, ring, rows, first, group);
+      known = false;
     }
     from = to;
+    square = next_square;
   }
 }
 
-void SpreadDownCurve(const LineGrid& grid, std::span<const LineRing> rings) {
-  switch (rings.size()) {
+void SpreadDownCurve(const LineGrid& grid, const LineRing& ring, std::span<const LineRows> rows) {
+  switch (rows.size()) {
     case 1:
-      return DownCurve<1>(grid, rings.data());
+      return DownCurve<1>(grid, ring, rows.data());
     case 2:
-      return DownCurve<2>(grid, rings.data());
+      return DownCurve<2>(grid, ring, rows.data());
     default:
-      return DownCurve<3>(grid, rings.data());
+      return DownCurve<3>(grid, ring, rows.data());
   }
 }
 
@@ -324,8 +327,8 @@ HWY_EXPORT(SpreadDownCurve);
 void spread_across_curve(const AcrossCurve& curve, CellRows cells, SpreadRows out) {
   HWY_DYNAMIC_DISPATCH(SpreadAcrossCurve)(curve, cells, out);
 }
-void spread_down_curve(const LineGrid& grid, std::span<const LineRing> rings) {
-  HWY_DYNAMIC_DISPATCH(SpreadDownCurve)(grid, rings);
+void spread_down_curve(const LineGrid& grid, const LineRing& ring, std::span<const LineRows> rows) {
+  HWY_DYNAMIC_DISPATCH(SpreadDownCurve)(grid, ring, rows);
 }
 
 }  // namespace kinescope

@@ -33,13 +33,16 @@ struct LineGrid {
   float lines_a_pixel;  ///< the mean, of which the light of white is 1
   float narrow_pixels, wide_pixels;  ///< standard deviations
 };
-/// Lines spread across columns, line l at (l & mask) * pitch, and where their row goes.
+/// Lines spread across columns: line l at (l & mask) * pitch.
 struct LineRing {
-  const float *narrow, *wide;
   int mask, pitch;
+};
+/// Those of one layer, and where their row goes.
+struct LineRows {
+  const float *narrow, *wide;
   float* out;
 };
-/// @param rings one, or two or three that share the grid: lines are weighed but once
-void spread_down_curve(const LineGrid& grid, std::span<const LineRing> rings);
+/// @param rows one, or two or three that share the grid: lines are weighed but once
+void spread_down_curve(const LineGrid& grid, const LineRing& ring, std::span<const LineRows> rows);
 
 }  // namespace kinescope

@@ -50,6 +50,10 @@ bool CurvedRaster::shares_lines_with(const CurvedRaster& other) const {
                     [](float a, float b) { return std::abs(a - b) < 0.01f; });
 }
 
+void CurvedRaster::widen_ring(const CurvedRaster& other) {
+  map_.ring_lines = std::max(map_.ring_lines, other.map_.ring_lines);
+}
+
 std::ptrdiff_t CurvedRaster::ring_at(const SpreadRing& ring, int line) const {
   return static_cast<std::ptrdiff_t>(line & (map_.ring_lines - 1)) * ring.groups * kGroup;
 }
@@ -87,25 +91,20 @@ void CurvedRaster::spread_lines(const LayerLight& light, SpreadRing& ring, int y
   for (; ring.next_line <= last; ++ring.next_line) spread_line(light, ring, ring.next_line);
 }
 
-LineRing CurvedRaster::lines_in(const SpreadRing& ring, float* out) const {
-  return {ring.narrow.data(), ring.wide.data(), map_.ring_lines - 1, ring.groups * kGroup, out};
-}
-
-void CurvedRaster::lines_down(const SpreadRing& ring, int y,
-                              std::span<const LineRing> rings) const {
+void CurvedRaster::lines_down(const SpreadRing& ring, int y, std::span<const LineRows> rows) const {
   const int j = grid_row(y);
   LineGrid grid = grid_;
   grid.above = map_.lines_at(j, ring.x / kGroup);
   grid.below = map_.lines_at(j + 1, ring.x / kGroup);
   grid.share = static_cast<float>(y - j * kGroup) * (1.0f / kGroup);
   grid.groups = ring.groups;
-  spread_down_curve(grid, rings);
+  spread_down_curve(grid, {map_.ring_lines - 1, ring.groups * kGroup}, rows);
 }
 
 void CurvedRaster::spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const {
   spread_lines(light, ring, y);
-  const LineRing lines = lines_in(ring, out);
-  lines_down(ring, y, {&lines, 1});
+  const LineRows rows{ring.narrow.data(), ring.wide.data(), out};
+  lines_down(ring, y, {&rows, 1});
 }
 
 }  // namespace kinescope

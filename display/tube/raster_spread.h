@@ -68,13 +68,13 @@ class CurvedRaster {
   CurvedRaster bent(const SweepWarp& warp) const;
   /// Whether lines of the two lie within a hundredth of a line of each other.
   bool shares_lines_with(const CurvedRaster& other) const;
+  /// Makes rings as large as the other's, if those are larger.
+  void widen_ring(const CurvedRaster& other);
   void begin_tile(SpreadRing& ring, int x, int groups) const;
   /// Spreads the lines that the tile's row y needs across its columns.
   void spread_lines(const LayerLight& light, SpreadRing& ring, int y) const;
-  /// Where lines_down() finds them, and where it is to put the row.
-  LineRing lines_in(const SpreadRing& ring, float* out) const;
-  /// The row's light, of this raster and of others that share its lines.
-  void lines_down(const SpreadRing& ring, int y, std::span<const LineRing> rings) const;
+  /// The row's light, of this raster's ring and of others that share its lines.
+  void lines_down(const SpreadRing& ring, int y, std::span<const LineRows> rows) const;
   void spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const;
 
  private:

@@ -67,6 +67,14 @@ std::shared_ptr<const GunRasters> make_rasters(const TubeSettings& s, int guns, 
         std::find(errors.begin(), errors.begin() + gun, errors[static_cast<std::size_t>(gun)]);
     rasters.alike.push_back(static_cast<std::size_t>(first - errors.begin()));
   }
+  if (!straight) {
+    // Guns whose lines lie alike are summed from rings of one size.
+    for (Raster& a : rasters.of_gun) {
+      for (const Raster& b : rasters.of_gun) {
+        std::get<CurvedRaster>(a).widen_ring(std::get<CurvedRaster>(b));
+      }
+    }
+  }
   return std::make_shared<const GunRasters>(std::move(rasters));
 }
 
@@ -183,13 +191,14 @@ void Screen::State::spread_row(std::span<const LayerLight> light, Scratch& s, in
     }
     return;
   }
-  std::array<LineRing, kMostLayers> rings;
+  std::array<LineRows, kMostLayers> rows;
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     const CurvedRaster& raster = std::get<CurvedRaster>(raster_of(layer));
-    raster.spread_lines(light[layer], s.ring[layer], y);
-    rings[layer] = raster.lines_in(s.ring[layer], s.row[layer].data());
+    SpreadRing& ring = s.ring[layer];
+    raster.spread_lines(light[layer], ring, y);
+    rows[layer] = {ring.narrow.data(), ring.wide.data(), s.row[layer].data()};
   }
-  std::get<CurvedRaster>(raster_of(0)).lines_down(s.ring[0], y, {rings.data(), layers.size()});
+  std::get<CurvedRaster>(raster_of(0)).lines_down(s.ring[0], y, {rows.data(), layers.size()});
 }
 
 /// @param alone whether no raster's light lies below it
