@@ -45,6 +45,10 @@ class PhosphorLayer {
   /// does not excite them; stored in `to_come`.
   void leave(std::size_t term, int line, const CellRange& range, LightRows to_come);
 
+  /// Each cell's last dose.
+  DoseRows doses(int line) const {
+    return {doses_[0].data() + offset(line), doses_[1].data() + offset(line)};
+  }
   std::size_t terms() const { return terms_.size(); }
   void darken();
 

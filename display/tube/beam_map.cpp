@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "display/tube/curve_kernels.h"
 #include "display/tube/deflection.h"
-#include "display/tube/spread_kernels.h"
 
 namespace kinescope {
 namespace {

@@ -50,6 +50,10 @@ bool CurvedRaster::shares_lines_with(const CurvedRaster& other) const {
                     [](float a, float b) { return std::abs(a - b) < 0.01f; });
 }
 
+void CurvedRaster::widen_ring(const CurvedRaster& other) {
+  map_.ring_lines = std::max(map_.ring_lines, other.map_.ring_lines);
+}
+
 std::ptrdiff_t CurvedRaster::ring_at(const SpreadRing& ring, int line) const {
   return static_cast<std::ptrdiff_t>(line & (map_.ring_lines - 1)) * ring.groups * kGroup;
 }
@@ -59,9 +63,6 @@ void CurvedRaster::begin_tile(SpreadRing& ring, int x, int groups) const {
   ring.narrow.resize(std::max(ring.narrow.size(), floats));
   ring.wide.resize(std::max(ring.wide.size(), floats));
   ring.grid_row = -1;
-  ring.base.resize(static_cast<std::size_t>(groups));
-  ring.narrow_weight.resize(static_cast<std::size_t>(groups * kLineTaps * kGroup));
-  ring.wide_weight.resize(ring.narrow_weight.size());
   ring.x = x;
   ring.groups = groups;
   ring.next_line = -lines_;
@@ -75,32 +76,35 @@ void CurvedRaster::spread_line(const LayerLight& light, SpreadRing& ring, int li
                       light.rows(line), {ring.narrow.data() + at, ring.wide.data() + at});
 }
 
-/// Once for every row of the grid, the lines that its output rows need are spread across.
-void CurvedRaster::spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const {
-  const int j = std::min(y / kGroup, map_.rows - 2), nodes = ring.groups + 1;
+/// Once for every row of the grid.
+void CurvedRaster::spread_lines(const LayerLight& light, SpreadRing& ring, int y) const {
+  const int j = grid_row(y), nodes = ring.groups + 1;
+  if (ring.grid_row == j) return;
+  ring.grid_row = j;
   const float* above = map_.lines_at(j, ring.x / kGroup);
   const float* below = map_.lines_at(j + 1, ring.x / kGroup);
-  if (ring.grid_row != j) {
-    ring.grid_row = j;
-    const float low = *std::min_element(above, above + nodes);
-    const float high = *std::max_element(below, below + nodes);
-    const int first = static_cast<int>(std::floor(low)) - kLineTaps / 2;
-    const int last = static_cast<int>(std::floor(high)) + kLineTaps / 2 + 1;
-    ring.next_line = std::max(ring.next_line, first);
-    for (; ring.next_line <= last; ++ring.next_line) spread_line(light, ring, ring.next_line);
-  }
-  if (!ring.lines_of) {
-    LineGrid grid = grid_;
-    grid.above = above;
-    grid.below = below;
-    grid.share = static_cast<float>(y - j * kGroup) * (1.0f / kGroup);
-    grid.groups = ring.groups;
-    find_line_weights(grid, ring.base.data(), ring.narrow_weight.data(), ring.wide_weight.data());
-  }
-  const SpreadRing& lines = ring.lines_of ? *ring.lines_of : ring;
-  spread_down_curve(
-      ring.groups, {lines.base.data(), lines.narrow_weight.data(), lines.wide_weight.data()},
-      {ring.narrow.data(), ring.wide.data(), map_.ring_lines - 1, ring.groups * kGroup}, out);
+  const float low = *std::min_element(above, above + nodes);
+  const float high = *std::max_element(below, below + nodes);
+  const int first = static_cast<int>(std::floor(low)) - kLineTaps / 2;
+  const int last = static_cast<int>(std::floor(high)) + kLineTaps / 2 + 1;
+  ring.next_line = std::max(ring.next_line, first);
+  for (; ring.next_line <= last; ++ring.next_line) spread_line(light, ring, ring.next_line);
+}
+
+void CurvedRaster::lines_down(const SpreadRing& ring, int y, std::span<const LineRows> rows) const {
+  const int j = grid_row(y);
+  LineGrid grid = grid_;
+  grid.above = map_.lines_at(j, ring.x / kGroup);
+  grid.below = map_.lines_at(j + 1, ring.x / kGroup);
+  grid.share = static_cast<float>(y - j * kGroup) * (1.0f / kGroup);
+  grid.groups = ring.groups;
+  spread_down_curve(grid, {map_.ring_lines - 1, ring.groups * kGroup}, rows);
+}
+
+void CurvedRaster::spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const {
+  spread_lines(light, ring, y);
+  const LineRows rows{ring.narrow.data(), ring.wide.data(), out};
+  lines_down(ring, y, {&rows, 1});
 }
 
 }  // namespace kinescope

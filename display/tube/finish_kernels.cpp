@@ -27,57 +27,54 @@ constexpr I di;
 HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(d)); }
 HWY_INLINE Floats set(float v) { return hn::Set(d, v); }
 
-struct Colour {
-  Floats c[3];
-};
-
 /// A row with its constants spread over vectors.
 template <int kLayers, bool kMask, bool kGlow>
 class Finisher {
  public:
-  explicit Finisher(const FinishRow& row)
-      : glow_share_(set(row.glow_share)),
-        ambient_{{set(row.ambient[0]), set(row.ambient[1]), set(row.ambient[2])}} {
+  explicit Finisher(const FinishRow& row) : glow_share_(set(row.glow_share)) {
+    for (int c = 0; c < 3; ++c) ambient_[c] = set(row.ambient[c]);
     for (int layer = 0; layer < kLayers; ++layer) {
       light_[layer] = row.light[layer];
       mask_[layer] = row.mask[layer];
       above_[layer] = row.glow_above[layer];
       below_[layer] = row.glow_below[layer];
-      for (int c = 0; c < 3; ++c) colour_[layer].c[c] = set(row.colour[layer][c]);
+      for (int c = 0; c < 3; ++c) colour_[layer][c] = set(row.colour[layer][c]);
     }
   }
 
-  /// From pixel x on.
-  HWY_INLINE Colour operator()(int x) const {
-    Colour sum = ambient_;
+  /// From pixel x on. By reference: g++ 12 copies a struct of vectors through memory, by halves,
+  /// and then waits for both to be written.
+  HWY_INLINE void operator()(int x, Floats& red, Floats& green, Floats& blue) const {
+    red = ambient_[0];
+    green = ambient_[1];
+    blue = ambient_[2];
 #pragma GCC unroll 3
     for (int layer = 0; layer < kLayers; ++layer) {
       const Floats light = past_glass(layer, x);
-      for (int c = 0; c < 3; ++c) sum.c[c] = hn::MulAdd(light, colour_[layer].c[c], sum.c[c]);
+      red = hn::MulAdd(light, colour_[layer][0], red);
+      green = hn::MulAdd(light, colour_[layer][1], green);
+      blue = hn::MulAdd(light, colour_[layer][2], blue);
     }
-    return sum;
   }
 
  private:
   HWY_INLINE Floats past_glass(int layer, int x) const {
-    Floats light = hn::LoadU(d, light_[layer] + x);
-    if (kMask) {
-      const hn::Rebind<std::uint8_t, F> d8;
-      const auto open = hn::PromoteTo(di, hn::LoadU(d8, mask_[layer] + x));
-      light = hn::Mul(light, hn::ConvertTo(d, open));
-    }
+    const Floats light = hn::LoadU(d, light_[layer] + x);
+    Floats glow = hn::Zero(d);
     if (kGlow) {
       const Floats above = hn::LoadU(d, above_[layer] + x);
       const Floats below = hn::LoadU(d, below_[layer] + x);
-      light = hn::Add(light, hn::MulAdd(hn::Sub(below, above), glow_share_, above));
+      glow = hn::MulAdd(hn::Sub(below, above), glow_share_, above);
     }
-    return light;
+    if (!kMask) return kGlow ? hn::Add(light, glow) : light;
+    const hn::Rebind<std::uint8_t, F> d8;
+    const Floats open = hn::ConvertTo(d, hn::PromoteTo(di, hn::LoadU(d8, mask_[layer] + x)));
+    return kGlow ? hn::MulAdd(light, open, glow) : hn::Mul(light, open);
   }
 
   const float *light_[kLayers], *above_[kLayers], *below_[kLayers];
   const std::uint8_t* mask_[kLayers];
-  Floats glow_share_;
-  Colour ambient_, colour_[kLayers];
+  Floats glow_share_, ambient_[3], colour_[kLayers][3];
 };
 
 /// Tiles are narrow: too little of each row for the processor to see that they go on below.
@@ -95,28 +92,29 @@ HWY_INLINE void StoreLight(const Finish& finish, int n, LinearRgb* out) {
   float* to = &out->r;
   HWY_ALIGN float tail[3 * kMostLanes];
   for (int x = 0; x < n; x += lanes()) {
-    const Colour colour = finish(x);
+    Floats red, green, blue;
+    finish(x, red, green, blue);
     const int count = 3 * std::min(lanes(), n - x);
     if (count == 3 * lanes()) {
-      hn::StoreInterleaved3(colour.c[0], colour.c[1], colour.c[2], d, to + 3 * x);
+      hn::StoreInterleaved3(red, green, blue, d, to + 3 * x);
     } else {
-      hn::StoreInterleaved3(colour.c[0], colour.c[1], colour.c[2], d, tail);
+      hn::StoreInterleaved3(red, green, blue, d, tail);
       std::copy_n(tail, count, to + 3 * x);
     }
   }
 }
 
-/// sRGB codes by a polynomial in the square root, within 0.2 codes, and the straight line below;
-/// as integers in the lowest bits, which adding 2^23 makes of a float.
+/// sRGB codes by a polynomial of degree 4 in the square root, within 0.2 codes, and the straight
+/// line below; as integers in the lowest bits, which adding 2^23 makes of a float. Even powers need
+/// not wait for the root.
 HWY_INLINE Ints code_of(Floats x) {
   x = hn::Min(hn::Max(x, hn::Zero(d)), set(1.0f));
-  const Floats s = hn::Sqrt(x);
-  Floats p = hn::MulAdd(set(-78.9393376f), s, set(214.909066f));
-  p = hn::MulAdd(p, s, set(-240.938121f));
-  p = hn::MulAdd(p, s, set(369.214136f));
-  p = hn::MulAdd(p, s, set(-9.4361935f));
+  const Floats even =
+      hn::MulAdd(hn::MulAdd(set(-78.9393376f), x, set(-240.938121f)), x, set(-9.4361935f));
+  const Floats odd = hn::MulAdd(set(214.909066f), x, set(369.214136f));
+  const Floats curve = hn::MulAdd(odd, hn::Sqrt(x), even);
   const Floats straight = hn::Mul(x, set(12.92f * 255));
-  const Floats code = hn::IfThenElse(hn::Lt(x, set(0.0031308f)), straight, p);
+  const Floats code = hn::IfThenElse(hn::Lt(x, set(0.0031308f)), straight, curve);
   return hn::BitCast(di, hn::Add(code, set(8388608.0f)));
 }
 constexpr std::uint32_t kFloatBits = 0x4b000000u;  // of 2^23
@@ -128,10 +126,10 @@ HWY_INLINE void StoreEncoded(const Finish& finish, int n, Srgb8* out) {
   // The red's float bits become the opaque alpha; green's and blue's are shifted out.
   const Ints opaque = hn::Set(di, static_cast<std::int32_t>(0xff000000u - kFloatBits));
   for (int x = 0; x < n; x += lanes()) {
-    const Colour colour = finish(x);
-    const Ints green = hn::ShiftLeft<8>(code_of(colour.c[1]));
-    const Ints blue = hn::ShiftLeft<16>(code_of(colour.c[2]));
-    const Ints packed = hn::Add(hn::Add(code_of(colour.c[0]), opaque), hn::Or(green, blue));
+    Floats red, green, blue;
+    finish(x, red, green, blue);
+    const Ints high = hn::Or(hn::ShiftLeft<8>(code_of(green)), hn::ShiftLeft<16>(code_of(blue)));
+    const Ints packed = hn::Add(hn::Add(code_of(red), opaque), high);
     if (x + lanes() <= n) {
       hn::StoreU(packed, di, to + x);
     } else {

@@ -37,6 +37,7 @@ LockedRaster::LockedRaster(const VideoMode& mode, std::span<const Signal> signal
 
 void LockedRaster::darken() {
   work_.steady_frames = 0;
+  work_.doses.forget();
   for (Layer& layer : layers_) layer.phosphor.darken();
 }
 
@@ -53,32 +54,36 @@ void LockedRaster::prepare(const RasterScan& scan, const Gun& gun, Workers& work
 }
 
 /// @param first whether nothing of this exposure has been gathered yet
-void LockedRaster::pass_line(const RasterScan& scan, BeamTime begin, BeamTime end, int line,
-                             bool first, LayerScratch& scratch) {
-  const LineRanges ranges = line_ranges(scan, begin, end, line);
+void LockedRaster::pass_line(const LineRanges& ranges, const Gun& gun, int line, bool first,
+                             int worker) {
+  LayerScratch& scratch = work_.scratch[static_cast<std::size_t>(worker)];
+  const bool met = std::any_of(ranges.begin(), ranges.end(),
+                               [](const CellRange& r) { return r.excited && r.begin != r.end; });
+  DoseRows doses{};
   for (std::size_t i = 0; i < layers_.size(); ++i) {
-    const LayerLight& doses = work_.doses.of(layers_[i].signal);
+    PhosphorLayer& phosphor = layers_[i].phosphor;
+    const std::size_t signal = layers_[i].signal;
+    if (met && (i == 0 || signal != layers_[i - 1].signal)) {
+      doses = work_.doses.of(gun, signals_[signal], signal, line, worker, phosphor.doses(line));
+    }
     float* const narrow = work_.light[i].narrow.line(line);
     float* const wide = work_.light[i].wide.line(line);
     if (first) {
       std::fill_n(narrow, cells_, 0.0f);
       std::fill_n(wide, cells_, 0.0f);
     }
-    for (const CellRange& range : ranges) {
-      layers_[i].phosphor.pass(line, range, {doses.narrow.line(line), doses.wide.line(line)},
-                               scratch, {narrow, wide});
-    }
+    for (const CellRange& range : ranges)
+      phosphor.pass(line, range, doses, scratch, {narrow, wide});
   }
 }
 
-void LockedRaster::pass_window(const RasterScan& scan, BeamTime begin, BeamTime end, bool first,
-                               Workers& workers) {
+void LockedRaster::pass_window(const RasterScan& scan, const Gun& gun, BeamTime begin, BeamTime end,
+                               bool first, Workers& workers) {
   for (Layer& layer : layers_) layer.phosphor.set_window(to_clocks(end - begin));
   workers.run(line_tasks(lines_), [&](int task, int worker) {
-    LayerScratch& s = work_.scratch[static_cast<std::size_t>(worker)];
     const int stop = std::min(lines_, (task + 1) * kLinesATask);
     for (int line = task * kLinesATask; line < stop; ++line) {
-      pass_line(scan, begin, end, line, first, s);
+      pass_line(line_ranges(scan, begin, end, line), gun, line, first, worker);
     }
   });
 }
@@ -101,7 +106,7 @@ bool LockedRaster::pass(const RasterScan& scan, const Gun& gun, FrameBuffer& buf
     work_.doses.read(scan, gun, signals_, buffer, begin, cut, workers);
     times.guns += watch.lap();
     if (is_steady(still)) return false;
-    pass_window(scan, begin, cut, first, workers);
+    pass_window(scan, gun, begin, cut, first, workers);
     first = false;
     begin = cut;
     times.phosphor += watch.lap();
@@ -131,6 +136,7 @@ void LockedRaster::leave(const RasterScan& scan, BeamTime now, const Screen& scr
     }
     phosphor.darken();
   }
+  work_.doses.forget();
 }
 
 }  // namespace kinescope

@@ -64,10 +64,9 @@ class LockedRaster {
 
   void prepare(const RasterScan& scan, const Gun& gun, Workers& workers);
   bool is_steady(bool still);
-  void pass_window(const RasterScan& scan, BeamTime begin, BeamTime end, bool first,
+  void pass_window(const RasterScan& scan, const Gun& gun, BeamTime begin, BeamTime end, bool first,
                    Workers& workers);
-  void pass_line(const RasterScan& scan, BeamTime begin, BeamTime end, int line, bool first,
-                 LayerScratch& scratch);
+  void pass_line(const LineRanges& ranges, const Gun& gun, int line, bool first, int worker);
 
   int cells_, lines_;
   std::vector<Signal> signals_;

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "display/tube/axis_weights.h"
 #include "display/tube/beam_map.h"
+#include "display/tube/curve_kernels.h"
 #include "display/tube/light_planes.h"
 #include "display/tube/settings.h"
 #include "display/tube/spot.h"
@@ -28,12 +30,7 @@ struct SpreadRing {
   AlignedVector<float> narrow, wide;
   int x = 0, groups = 0;  ///< the tile's first column, and its columns in groups
   int next_line = 0;
-  // Of a curved raster: its map's row that has its lines; and the weights of those of one output
-  // row, its own or another raster's whose lines lie alike.
-  int grid_row = 0;
-  std::vector<int> base;
-  AlignedVector<float> narrow_weight, wide_weight;
-  const SpreadRing* lines_of = nullptr;
+  int grid_row = 0;  // of a curved raster's map: the one that has its lines
 
   /// A line outside the raster, at a place in the ring.
   void darken(std::ptrdiff_t at) {
@@ -71,10 +68,17 @@ class CurvedRaster {
   CurvedRaster bent(const SweepWarp& warp) const;
   /// Whether lines of the two lie within a hundredth of a line of each other.
   bool shares_lines_with(const CurvedRaster& other) const;
+  /// Makes rings as large as the other's, if those are larger.
+  void widen_ring(const CurvedRaster& other);
   void begin_tile(SpreadRing& ring, int x, int groups) const;
+  /// Spreads the lines that the tile's row y needs across its columns.
+  void spread_lines(const LayerLight& light, SpreadRing& ring, int y) const;
+  /// The row's light, of this raster's ring and of others that share its lines.
+  void lines_down(const SpreadRing& ring, int y, std::span<const LineRows> rows) const;
   void spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const;
 
  private:
+  int grid_row(int y) const { return std::min(y / kGroup, map_.rows - 2); }
   void spread_line(const LayerLight& light, SpreadRing& ring, int line) const;
   std::ptrdiff_t ring_at(const SpreadRing& ring, int line) const;
 

@@ -67,6 +67,14 @@ std::shared_ptr<const GunRasters> make_rasters(const TubeSettings& s, int guns, 
         std::find(errors.begin(), errors.begin() + gun, errors[static_cast<std::size_t>(gun)]);
     rasters.alike.push_back(static_cast<std::size_t>(first - errors.begin()));
   }
+  if (!straight) {
+    // Guns whose lines lie alike are summed from rings of one size.
+    for (Raster& a : rasters.of_gun) {
+      for (const Raster& b : rasters.of_gun) {
+        std::get<CurvedRaster>(a).widen_ring(std::get<CurvedRaster>(b));
+      }
+    }
+  }
   return std::make_shared<const GunRasters>(std::move(rasters));
 }
 
@@ -86,7 +94,7 @@ struct Screen::State {
               const Finish& finish);
   void draw_tile(std::span<const LayerLight> light, Scratch& s, int x, int top, float gain,
                  const Finish& finish) const;
-  void spread_row(std::span<const LayerLight> light, Scratch& s, std::size_t layer, int y) const;
+  void spread_row(std::span<const LayerLight> light, Scratch& s, int y) const;
   void add_overlay(Scratch& s, std::size_t layer, int x, int y, int n, bool alone) const;
   void spread(const GunRasters& of_guns, std::size_t layer, const LayerLight& light,
               Workers& workers, std::vector<float>& plane) const;
@@ -160,27 +168,37 @@ void Screen::State::draw_tile(std::span<const LayerLight> light, Scratch& s, int
     if (light.empty()) continue;
     std::visit([&](const auto& raster) { raster.begin_tile(s.ring[layer], x, groups); },
                raster_of(layer));
-    s.ring[layer].lines_of = lines_alike && layer > 0 ? &s.ring[0] : nullptr;
   }
   FinishRow row = finish_row(gain);
   for (int y = top; y < std::min(height, top + kTileRows); ++y) {
-    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-      spread_row(light, s, layer, y);
-      if (overlay) add_overlay(s, layer, x, y, n, light.empty());
+    if (!light.empty()) spread_row(light, s, y);
+    for (std::size_t layer = 0; overlay && layer < layers.size(); ++layer) {
+      add_overlay(s, layer, x, y, n, light.empty());
     }
     set_row(row, s, x, y);
     finish(row, x, y, n);
   }
 }
 
-void Screen::State::spread_row(std::span<const LayerLight> light, Scratch& s, std::size_t layer,
-                               int y) const {
-  if (light.empty()) return;
-  std::visit(
-      [&](const auto& raster) {
-        raster.spread_row(light[layer], s.ring[layer], y, s.row[layer].data());
-      },
-      raster_of(layer));
+void Screen::State::spread_row(std::span<const LayerLight> light, Scratch& s, int y) const {
+  if (!lines_alike) {
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+      std::visit(
+          [&](const auto& raster) {
+            raster.spread_row(light[layer], s.ring[layer], y, s.row[layer].data());
+          },
+          raster_of(layer));
+    }
+    return;
+  }
+  std::array<LineRows, kMostLayers> rows;
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    const CurvedRaster& raster = std::get<CurvedRaster>(raster_of(layer));
+    SpreadRing& ring = s.ring[layer];
+    raster.spread_lines(light[layer], ring, y);
+    rows[layer] = {ring.narrow.data(), ring.wide.data(), s.row[layer].data()};
+  }
+  std::get<CurvedRaster>(raster_of(0)).lines_down(s.ring[0], y, {rows.data(), layers.size()});
 }
 
 /// @param alone whether no raster's light lies below it
@@ -206,7 +224,6 @@ void Screen::State::spread(const GunRasters& of_guns, std::size_t layer, const L
     std::visit(
         [&](const auto& raster) {
           raster.begin_tile(s.ring[0], x, groups);
-          s.ring[0].lines_of = nullptr;
           for (int y = top; y < std::min(height, top + kTileRows); ++y) {
             raster.spread_row(light, s.ring[0], y, s.row[0].data());
             add_scaled(n, 1, s.row[0].data(),

@@ -29,6 +29,7 @@ void SignalDoses::prepare(const RasterScan& scan, const Gun& gun, std::span<cons
   const int cells = scan.mode().horizontal.active, lines = scan.mode().vertical.active;
   while (doses_.size() < signals.size()) doses_.push_back({{cells, lines}, {cells, lines}});
   drives_.resize(static_cast<std::size_t>(lines));
+  readings_.resize(static_cast<std::size_t>(lines), Reading::kInPart);
   const std::size_t n = static_cast<std::size_t>(cells);
   scratch_.resize(static_cast<std::size_t>(workers.count()));
   for (Scratch& s : scratch_) {
@@ -79,18 +80,31 @@ void SignalDoses::read_line(const Gun& gun, std::span<const Signal> signals,
   // A line that the beam meets whole and that is what it was has its doses already.
   std::vector<GunDrive>& last = drives_[static_cast<std::size_t>(line)];
   const bool whole = is_met_whole(ranges, s.drives.size());
-  if (whole && is_same(last, s.drives)) return;
+  Reading& reading = readings_[static_cast<std::size_t>(line)];
+  reading = whole && is_same(last, s.drives) ? Reading::kSame
+            : whole                          ? Reading::kWhole
+                                             : Reading::kInPart;
+  if (reading == Reading::kSame) return;
   s.changed = true;
   last.assign(s.drives.begin(), whole ? s.drives.end() : s.drives.begin());
+  if (whole) return;
+  // The other part may come from another page.
   for (std::size_t signal = 0; signal < signals.size(); ++signal) {
-    if (whole) {
-      gun.doses(s.drives, signals[signal], s.voltage, doses_[signal].narrow.line(line),
-                doses_[signal].wide.line(line));
-    } else {
-      gun.doses(s.drives, signals[signal], s.voltage, s.narrow.data(), s.wide.data());
-      copy_ranges(ranges, line, signal, s);
-    }
+    gun.doses(s.drives, signals[signal], s.voltage, s.narrow.data(), s.wide.data());
+    copy_ranges(ranges, line, signal, s);
   }
+}
+
+DoseRows SignalDoses::of(const Gun& gun, Signal signal, std::size_t index, int line, int worker,
+                         DoseRows last) {
+  const std::size_t at = static_cast<std::size_t>(line);
+  if (readings_[at] == Reading::kSame) return last;
+  if (readings_[at] == Reading::kInPart) {
+    return {doses_[index].narrow.line(line), doses_[index].wide.line(line)};
+  }
+  Scratch& s = scratch_[static_cast<std::size_t>(worker)];
+  gun.doses(drives_[at], signal, s.voltage, s.narrow.data(), s.wide.data());
+  return {s.narrow.data(), s.wide.data()};
 }
 
 void SignalDoses::copy_ranges(const LineRanges& ranges, int line, std::size_t signal,

@@ -23,8 +23,12 @@ class SignalDoses {
   /// retraces.
   void read(const RasterScan& scan, const Gun& gun, std::span<const Signal> signals,
             FrameBuffer& buffer, BeamTime begin, BeamTime end, Workers& workers);
-  /// Of the cells that the last window excited.
-  const LayerLight& of(std::size_t signal) const { return doses_[signal]; }
+  /// The doses of a line's cells that the last window excited, valid until the worker's next call.
+  /// @param last each cell's last dose: those of a line that is what it was a frame ago
+  DoseRows of(const Gun& gun, Signal signal, std::size_t index, int line, int worker,
+              DoseRows last);
+  /// Takes no line for what it was.
+  void forget() { drives_.clear(); }
   /// Whether, since the last call, a line was read that is not what it was a frame ago.
   bool take_changed();
 
@@ -35,11 +39,14 @@ class SignalDoses {
     std::vector<float> voltage, narrow, wide;
     bool changed = false;
   };
+  /// What the last window read of a line.
+  enum class Reading : std::uint8_t { kInPart, kSame, kWhole };
   void read_line(const Gun& gun, std::span<const Signal> signals, const FrameBuffer& buffer,
                  const LineRanges& ranges, int line, Scratch& scratch);
   void copy_ranges(const LineRanges& ranges, int line, std::size_t signal, const Scratch& scratch);
 
-  std::vector<LayerLight> doses_;              // of each signal
+  std::vector<LayerLight> doses_;              // of each signal, of lines read in part
+  std::vector<Reading> readings_;              // of each line
   std::vector<std::vector<GunDrive>> drives_;  // of each line, when it was last read whole
   std::vector<Scratch> scratch_;
 };

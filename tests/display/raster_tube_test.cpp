@@ -58,6 +58,24 @@ TEST(RasterTube, SteadyWhiteIsOneFromAnyPhaseInEveryScanAndPhosphor) {
   }
 }
 
+TEST(RasterTube, AResetTubeReadsAPictureThatDidNotChangeAnew) {
+  const VideoMode mode = tiny_mode();
+  const Seconds frame = mode.frame_period();
+  Workers workers(1);
+  FrameBuffer buffer = buffer_for(mode);
+  fill(buffer, 0, kWhite);
+  RasterTube tube = cell_tube(mode, "P31");
+  tube.expose(buffer, frame, workers);
+  const Image<LinearRgb> first = tube.expose(buffer, 2 * frame, workers);
+  tube.reset();
+  tube.expose(buffer, frame, workers);
+  const Image<LinearRgb>& again = tube.expose(buffer, 2 * frame, workers);
+  ASSERT_GT(first.at(1, 1).g, 0.1f);
+  for (std::size_t i = 0; i < first.pixels().size(); ++i) {
+    ASSERT_EQ(again.pixels()[i].g, first.pixels()[i].g) << i;
+  }
+}
+
 TEST(RasterTube, ARefreshedPictureOfEveryPhosphorReachesASteadyState) {
   const VideoMode mode = tiny_mode();
   const Seconds frame = mode.frame_period();
