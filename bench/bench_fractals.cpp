@@ -1,6 +1,5 @@
 // The Mandelbrot set at 1920x1080, 1000 iterations: SIMD beside the scalar loop, and deep zoom to
 // 1e-100; all on one core, medians of interleaved runs.
-
 #include <cstdio>
 #include <vector>
 
