@@ -45,6 +45,7 @@ DemoInfo transformations_demo();
 DemoInfo practical_7_demo();
 DemoInfo practical_9_demo();
 DemoInfo practical_10_demo();
+DemoInfo wireframe_demo();
 DemoInfo display_file_demo();
 DemoInfo rubber_band_demo();
 DemoInfo light_pen_demo();
@@ -53,47 +54,27 @@ DemoInfo oscilloscope_demo();
 DemoInfo storage_demo();
 
 std::span<const DemoInfo> all_demos() {
-  static const std::array kDemos = {teapot_demo(),
-                                    retrace_demo(),
-                                    frame_buffer_demo(),
-                                    phosphors_demo(),
-                                    pipeline_demo(),
-                                    test_patterns_demo(),
-                                    tube_demo(),
-                                    masks_demo(),
-                                    sync_demo(),
-                                    light_pen_raster_demo(),
-                                    display_file_demo(),
-                                    rubber_band_demo(),
-                                    light_pen_demo(),
-                                    spacewar_demo(),
-                                    oscilloscope_demo(),
-                                    storage_demo(),
-                                    lines_demo(),
-                                    circles_demo(),
-                                    conics_demo(),
-                                    strokes_demo(),
-                                    inside_tests_demo(),
-                                    seed_fill_demo(),
-                                    scanline_fill_demo(),
-                                    areas_demo(),
-                                    characters_demo(),
-                                    antialiasing_demo(),
-                                    dithering_demo(),
-                                    practical_1_demo(),
-                                    practical_2_demo(),
-                                    practical_3_demo(),
-                                    practical_4_demo(),
-                                    practical_8_demo(),
-                                    l_systems_demo(),
-                                    mandelbrot_demo(),
-                                    bezier_demo(),
-                                    b_splines_demo(),
-                                    line_clipping_demo(),
-                                    projections_demo(),
-                                    transformations_demo(),
-                                    practical_7_demo(),
-                                    practical_9_demo(),
+  static const std::array kDemos = {teapot_demo(),       retrace_demo(),
+                                    frame_buffer_demo(), phosphors_demo(),
+                                    pipeline_demo(),     test_patterns_demo(),
+                                    tube_demo(),         masks_demo(),
+                                    sync_demo(),         light_pen_raster_demo(),
+                                    display_file_demo(), rubber_band_demo(),
+                                    light_pen_demo(),    spacewar_demo(),
+                                    oscilloscope_demo(), storage_demo(),
+                                    wireframe_demo(),    lines_demo(),
+                                    circles_demo(),      conics_demo(),
+                                    strokes_demo(),      inside_tests_demo(),
+                                    seed_fill_demo(),    scanline_fill_demo(),
+                                    areas_demo(),        characters_demo(),
+                                    antialiasing_demo(), dithering_demo(),
+                                    practical_1_demo(),  practical_2_demo(),
+                                    practical_3_demo(),  practical_4_demo(),
+                                    practical_8_demo(),  l_systems_demo(),
+                                    mandelbrot_demo(),   bezier_demo(),
+                                    b_splines_demo(),    line_clipping_demo(),
+                                    projections_demo(),  transformations_demo(),
+                                    practical_7_demo(),  practical_9_demo(),
                                     practical_10_demo()};
   return kDemos;
 }

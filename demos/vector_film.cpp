@@ -17,6 +17,7 @@ namespace {
 
 constexpr Seconds kSixtieth(1.0 / 60);
 constexpr Seconds kFadedOut(1);  // after it a passing beam's light is gone
+constexpr Seconds kLongestList(60);
 constexpr std::size_t kBatch = 1 << 20;
 
 /// A tube of the drawing's own shape, 4096 points wide, in colour.
@@ -138,20 +139,30 @@ VectorShow storage_show(const VectorDrawing& drawing, Size size) {
   return show;
 }
 
-VectorShow processor_show(const VectorMachine& machine, std::shared_ptr<const DisplayFile> program,
-                          Size size, const std::string& name) {
-  VectorShow show = show_of(std::make_shared<Program>(machine, *program, size, name));
-  DisplayMemory memory(static_cast<std::size_t>(machine.memory_words));
-  memory.load(0, program->words);
+void time_refresh(VectorShow& show, const VectorMachine& machine, const DisplayFile& program) {
+  DisplayMemory memory(
+      std::max(program.words.size(), static_cast<std::size_t>(machine.memory_words)));
+  memory.load(0, program.words);
   DisplayProcessor scratch(machine, memory);
-  scratch.start(program->start);
+  scratch.start(program.start);
   std::vector<BeamMove> moves;
-  for (Seconds end{0}; scratch.refreshes() < 5 && end < Seconds(1); moves.clear()) {
+  Seconds end{0};
+  const auto goes_on = [&](std::int64_t refreshes, Seconds longest) {
+    return scratch.refreshes() < refreshes && end < longest &&
+           scratch.status() == ProcessorStatus::kRunning;
+  };
+  for (; goes_on(5, Seconds(1)) || goes_on(2, kLongestList); moves.clear()) {
     scratch.run(end += milliseconds(1), moves);
   }
   const auto period = scratch.refresh_period();
   show.whole = std::max(period.value_or(Seconds(1)), kSixtieth);
   show.settled = period ? 6 * *period : Seconds(0);  // a list that halts is seen once
+}
+
+VectorShow processor_show(const VectorMachine& machine, std::shared_ptr<const DisplayFile> program,
+                          Size size, const std::string& name) {
+  VectorShow show = show_of(std::make_shared<Program>(machine, *program, size, name));
+  time_refresh(show, machine, *program);
   return show;
 }
 

@@ -33,6 +33,9 @@ VectorShow storage_show(const VectorDrawing& drawing, Size size);
 VectorShow processor_show(const VectorMachine& machine, std::shared_ptr<const DisplayFile> program,
                           Size size, const std::string& name);
 
+/// Times a program's refresh on its machine, for the show's whole picture.
+void time_refresh(VectorShow& show, const VectorMachine& machine, const DisplayFile& program);
+
 struct VectorShot {
   FrameRange frames;
   Rate rate{60, 1};

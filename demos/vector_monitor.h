@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,12 @@ class VectorMonitor {
   DisplayFile load(std::string_view text);
   /// Changes one instruction while it is displayed. @return the address that follows it
   Address write(Address at, std::string_view name, std::initializer_list<std::int64_t> operands);
+  /// A list that is shown once the present one is through. @throws Error (bad input) if it does not
+  /// fit the memory
+  void put(Address at, std::span<const Word> words) {
+    memory_.load(at, words);
+    show(at);
+  }
   /// The list that is shown once this one is through.
   void show(Address address) { processor_->show(address); }
   /// The text of the instruction there.

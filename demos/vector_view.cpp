@@ -10,7 +10,7 @@
 namespace kinescope {
 namespace {
 
-using MakeShow = std::function<VectorShow(Size)>;
+using MakeShow = std::function<VectorShow(Size, Workers&)>;
 
 /// Time on the tube is its own: it begins anew with each size of the window.
 class VectorView : public ClonableDemo<VectorView> {
@@ -24,7 +24,7 @@ class VectorView : public ClonableDemo<VectorView> {
 
  private:
   void resized() override {
-    show_ = make_({width(), height()});
+    show_ = make_({width(), height()}, studio().workers);
     now_ = Seconds(0);
     still_ = false;
   }

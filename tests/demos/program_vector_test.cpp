@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -225,6 +226,40 @@ TEST(ProgramVector, TenMillionVectors) {
   const RunResult run = run_kinescope({"vector", "many.tek", "--json"}, {.folder = folder.path()});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(nlohmann::json::parse(run.out)["segments"], 9999999);
+}
+
+/// A cube as an OFF file of squares.
+constexpr const char* kCube =
+    "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
+    "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 2 3 7 6\n4 1 2 6 5\n4 0 4 7 3\n";
+
+TEST(ProgramVector, ModelsAreWireframes) {
+  TemporaryFolder folder;
+  write_text(folder / "cube", kCube);  // told by its content
+  const auto lines = [&](std::vector<std::string> args) {
+    args.insert(args.begin(), {"vector", "cube", "--segments"});
+    const RunResult run = run_kinescope(args, {.folder = folder.path()});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return std::count(run.out.begin(), run.out.end(), '\n');
+  };
+  EXPECT_EQ(lines({}), 12);
+  EXPECT_EQ(lines({"--hidden"}), 9);
+  EXPECT_EQ(lines({"--crease", "0"}), 18);
+  EXPECT_EQ(lines({"--hidden", "--azimuth", "0", "--elevation", "0"}), 4);
+  const RunResult film = run_shell(
+      "kinescope vector cube --hidden --frames 3 --size 96x96 -o spin.y4m --turn 0.5 && "
+      "kinescope vector cube --frames 30-31 --size 96x96 -o still_#.png --turn 0 && "
+      "kinescope vector --assemble cube --hidden -o cube.bin && "
+      "kinescope vector --disassemble cube.bin > cube.txt && "
+      "kinescope vector cube.txt --kind display-file --segments",
+      {.folder = folder.path()});
+  EXPECT_EQ(film.exit_code, 0) << film.err;
+  EXPECT_EQ(std::count(film.out.begin(), film.out.end(), '\n'), 9);
+  EXPECT_TRUE(read_text(folder / "still_30.png") == read_text(folder / "still_31.png"));
+  const RunResult dvg = run_kinescope({"vector", "cube", "--machine", "dvg", "-o", "a.png"},
+                                      {.folder = folder.path()});
+  EXPECT_EQ(dvg.exit_code, 2);
+  EXPECT_THAT(dvg.err, HasSubstr("--machine"));
 }
 
 }  // namespace
