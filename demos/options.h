@@ -99,6 +99,7 @@ struct VectorRequest {
   std::string machine = "generic";       ///< that runs display files
   std::string assemble, disassemble;     ///< a file to translate, or empty
   bool list_machines = false;
+  bool hard_copy = false;      ///< of a storage screen, instead of a photograph
   std::optional<double> gain;  ///< none: by the shutter's length
   Seconds start{0};
 };

@@ -87,7 +87,7 @@ class Refreshed {
 class Program {
  public:
   Program(const VectorMachine& machine, const DisplayFile& program, Size size, std::string name)
-      : memory_(static_cast<std::size_t>(machine.memory_words)),
+      : memory_(memory_for(machine, program)),
         processor_(machine, memory_),
         tube_(machine, size.width, size.height),
         name_(std::move(name)) {
@@ -136,12 +136,12 @@ VectorShow storage_show(const VectorDrawing& drawing, Size size) {
   VectorShow show = show_of(tube);
   show.settled = tube->busy_until() + kFadedOut;
   show.still = [tube] { return tube->still() && !tube->changed(); };
+  show.hard_copy = [tube] { return tube->hard_copy(); };
   return show;
 }
 
 void time_refresh(VectorShow& show, const VectorMachine& machine, const DisplayFile& program) {
-  DisplayMemory memory(
-      std::max(program.words.size(), static_cast<std::size_t>(machine.memory_words)));
+  DisplayMemory memory(memory_for(machine, program));
   memory.load(0, program.words);
   DisplayProcessor scratch(machine, memory);
   scratch.start(program.start);

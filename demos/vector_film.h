@@ -22,6 +22,8 @@ struct VectorShow {
   Seconds settled{0}, whole{1.0 / 60};
   /// Whether the last exposure was the same as the one before, and the next will be.
   std::function<bool()> still = [] { return false; };
+  /// What a copier puts on paper of a storage screen; of other tubes: none.
+  std::function<Image<Srgb8>()> hard_copy;
 };
 
 /// A drawing as a list that is refreshed 60 times a second, or as often as its length allows.

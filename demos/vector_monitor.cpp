@@ -38,7 +38,8 @@ VectorMonitor::VectorMonitor(const VectorMonitor& other)
       pen_(other.pen_),
       hits_(other.hits_),
       refreshes_(other.refreshes_),
-      start_(other.start_) {
+      start_(other.start_),
+      gain_(other.gain_) {
   processor_.emplace(*machine_, memory_);
   processor_->state() = other.processor_->state();
 }
@@ -110,7 +111,7 @@ void VectorMonitor::expose(const Step& step, Workers& workers, Image<Srgb8>& pic
   run(step.exposure.end);
   const Image<LinearRgb>& light = tube_.expose(moves_, step.exposure.end, workers);
   const double part = std::clamp(step.exposure.length().count() * 60, 1 / kIris, 1.0);
-  encode_light(light, ExposureGain::fixed(static_cast<float>(1 / part)), workers, picture);
+  encode_light(light, ExposureGain::fixed(static_cast<float>(gain_ / part)), workers, picture);
 }
 
 Seconds VectorMonitor::period() const {

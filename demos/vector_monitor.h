@@ -30,6 +30,9 @@ class VectorMonitor {
   /// Another phosphor: a new tube, dark.
   void coat(std::string_view phosphor);
 
+  /// How far the camera's iris is open: 1 shows a white line as white.
+  void open_iris(double gain) { gain_ = gain; }
+
   /// Assembles a program of the demo's own, loads it and starts it.
   DisplayFile load(std::string_view text);
   /// Changes one instruction while it is displayed. @return the address that follows it
@@ -77,6 +80,7 @@ class VectorMonitor {
   std::vector<BeamMove> moves_;
   std::int64_t refreshes_ = 0;
   Address start_ = 0;
+  double gain_ = 1;
 };
 
 /// The generic machine with less memory, so that copies are cheap.

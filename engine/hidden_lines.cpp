@@ -21,7 +21,8 @@ glm::dvec3 xyw(const glm::dvec4& p) { return {p.x, p.y, p.w}; }
 
 /// Which of `cells` cells from -1 to 1 holds a place, the outer ones all that lies beyond.
 int cell_of(double place, int cells) {
-  return std::clamp(static_cast<int>(std::floor((place + 1) * 0.5 * cells)), 0, cells - 1);
+  if (!(place > -1)) return 0;
+  return place < 1 ? std::min(static_cast<int>((place + 1) * 0.5 * cells), cells - 1) : cells - 1;
 }
 
 }  // namespace

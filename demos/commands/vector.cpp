@@ -27,6 +27,7 @@
 #include "engine/io/import.h"
 #include "raster/base/error.h"
 #include "raster/base/output_file.h"
+#include "raster/image/codecs.h"
 
 namespace kinescope {
 namespace {
@@ -110,8 +111,20 @@ struct Shown {
   }
 };
 
+/// The finished screen on paper.
+void write_hard_copy(const Options& options, const Shown& shown, const std::string& output) {
+  if (!shown.stored) {
+    throw Error(ErrorKind::kUsage, "only what a storage tube keeps can be copied", "--hard-copy");
+  }
+  Workers workers(options.common.threads);
+  const VectorShow show = shown.show(options.picture.size.value_or(Size{1280, 960}), workers);
+  show.expose(show.settled, workers);
+  write_png(output, show.hard_copy());
+}
+
 void write_picture(const Options& options, const Shown& shown, const std::string& output) {
   check_writable(output);
+  if (options.vector.hard_copy) return write_hard_copy(options, shown, output);
   if (wants_svg(options, output)) return write_svg(output, shown.page);
   const bool several = options.picture.frames.has_value();
   const FilmFormat format = film_format(output, options.picture.format, several);
@@ -214,6 +227,13 @@ bool is_model(const VectorRequest& request, InputFile& input) {
   return request.model || looks_like_model(input.name(), input.peek(kRecogniseBytes));
 }
 
+bool is_display_file(const VectorRequest& request, InputFile& input) {
+  if (request.kind || request.model || request.display_file) return request.display_file;
+  const auto first = input.peek(kRecogniseBytes);
+  const InstructionSet& set = instruction_set(find_vector_machine(request.machine).words);
+  return looks_like_display_file(first, first.size() < kRecogniseBytes, set);
+}
+
 /// A display file, or the list that a model makes.
 DisplayFile file_to_translate(const Options& options, InputFile& input, bool to_words) {
   const VectorMachine& machine = find_vector_machine(options.vector.machine);
@@ -255,7 +275,7 @@ Shown read_input(const Options& options) {
     shown.wire = wire_request(options, request.input);
     drawing.size = {shown.wire->machine.width, shown.wire->machine.height};
     drawing.segments = strokes_of(options, *shown.wire);
-  } else if (request.display_file) {
+  } else if (is_display_file(request, input)) {
     shown.machine = &find_vector_machine(request.machine);
     const InstructionSet& set = instruction_set(shown.machine->words);
     shown.program = std::make_shared<DisplayFile>(read_display_file(input, set, std::nullopt));

@@ -91,6 +91,8 @@ void add_vector_command(CLI::App& app, Options& options) {
                "print the characters: place, advance, height as x y pairs, and the text, a line");
   app.add_flag("--pty", request.pty,
                "be a terminal: print its name, and show what programs draw on it");
+  app.add_flag("--hard-copy", request.hard_copy,
+               "write what a copier puts on paper of a Tektronix screen, instead of a photograph");
   add(app, "--page", "N", "which page, from 0 (default: the last that holds anything)",
       [&](const std::string& text, const std::string& option) {
         request.page = parse_whole(text, option, 0, std::numeric_limits<int>::max());

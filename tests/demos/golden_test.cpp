@@ -80,7 +80,14 @@ INSTANTIATE_TEST_SUITE_P(
                       Golden{"tube", "tube", 5, "0 key F5\n0 key d\n0 key d\n0 key m\n0 key j\n"},
                       Golden{"tube-close", "tube", 5, "0 key z\n0 key z\n"},
                       Golden{"masks", "masks", 3, ""}, Golden{"sync", "sync", 30, ""},
-                      Golden{"light-pen-raster", "light-pen-raster", 40, ""}),
+                      Golden{"light-pen-raster", "light-pen-raster", 40, ""},
+                      Golden{"display-file", "display-file", 9, "0 key -\n0 drag 40 60 280 60 4\n"},
+                      Golden{"rubber-band", "rubber-band", 9, "0 drag 100 60 220 130 20\n"},
+                      Golden{"light-pen", "light-pen", 9, "0 drag 92 87 140 100 20\n"},
+                      Golden{"spacewar", "spacewar", 30, "0 key f\n0 key w\n0 key Left\n"},
+                      Golden{"oscilloscope", "oscilloscope", 9, "0 key 2\n0 key =\n"},
+                      Golden{"storage", "storage", 40, "0 key l\n0 key l\n39 key h\n"},
+                      Golden{"wireframe", "wireframe", 4, "0 key -\n"}),
     [](const auto& golden) {
       std::string name = golden.param.file;
       std::erase(name, '-');

@@ -39,6 +39,18 @@ TEST(DisplayFile, AssemblesWhatItSays) {
   EXPECT_EQ(file.words[17], 65u);
 }
 
+TEST(DisplayFile, IsToldByItsText) {
+  const InstructionSet& set = instruction_set("generic");
+  EXPECT_TRUE(is_display_file_text("; a list\nscale 16\nbox: .word 3\nhere = 5\n\n", set));
+  EXPECT_TRUE(is_display_file_text("start: move here 2\n", set));
+  for (const char* const other :
+       {"", "box:\n", ".word 7\n", "SC0,16;SP1;\n", "IN;\n", "move 1 2\nPU 3 4\n",
+        "move 1 2\n<svg>\n", "move 1 \"\n", "\x1d move\n"}) {
+    EXPECT_FALSE(is_display_file_text(other, set)) << other;
+  }
+  EXPECT_FALSE(is_display_file_text("move 1 2\n", instruction_set("dvg")));
+}
+
 TEST(DisplayFile, KnowsTheDvgsWords) {
   const DisplayFile file =
       assemble("vctr 1 -2 9 15\nlabs 512 3 1\nsvec -3 1 2 7\njsrl 0x123\nhalt\n",
