@@ -15,7 +15,7 @@ enum { kGravity, kPhosphor, kSky };
 
 constexpr std::array kPhosphors = {"P7", "P31"};
 // P7's flash is a blue that the eye sees little of: exposed for what is green in it.
-constexpr std::array kIris = {6.0, 1.0};
+constexpr std::array kIris = {12.0, 1.0};
 constexpr Address kList = 0, kShips = 600, kSkyList = 1000;
 constexpr int kStars = 120;
 // Outlines, units: nose along x. The first is a needle, the second a wedge.

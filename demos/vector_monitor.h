@@ -30,7 +30,8 @@ class VectorMonitor {
   /// Another phosphor: a new tube, dark.
   void coat(std::string_view phosphor);
 
-  /// How far the camera's iris is open: 1 shows a white line as white.
+  /// How far the camera's iris is open: 1 shows a white line as white. Above 1, what is too bright
+  /// for its colour goes towards white, as film does and eyes do, so that its luminance is seen.
   void open_iris(double gain) { gain_ = gain; }
 
   /// Assembles a program of the demo's own, loads it and starts it.
@@ -81,6 +82,7 @@ class VectorMonitor {
   std::int64_t refreshes_ = 0;
   Address start_ = 0;
   double gain_ = 1;
+  Image<LinearRgb> exposed_;  // with an open iris; nothing in it outlives an exposure
 };
 
 /// The generic machine with less memory, so that copies are cheap.

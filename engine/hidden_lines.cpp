@@ -42,8 +42,9 @@ HiddenLines::HiddenLines(const WireScene& scene, const Camera& camera,
     const auto& corners = scene.faces[i];
     place(i, clip_points[corners[0]], clip_points[corners[1]], clip_points[corners[2]]);
   }
-  std::stable_sort(faces_.begin(), faces_.end(),
-                   [](const Face& one, const Face& other) { return one.nearest < other.nearest; });
+  std::sort(faces_.begin(), faces_.end(), [](const Face& one, const Face& other) {
+    return one.nearest != other.nearest ? one.nearest < other.nearest : one.index < other.index;
+  });
   fill_cells();
 }
 

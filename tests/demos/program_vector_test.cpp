@@ -247,7 +247,7 @@ TEST(ProgramVector, CopiesAStorageScreenToPaper) {
   EXPECT_LT(dark, 400);
   EXPECT_EQ(paper.at(2, 2), (Srgb8{255, 255, 255, 255}));
   const RunResult plot = run_kinescope({"vector", "-", "--hard-copy", "-o", "b.png"},
-                                       {.input = "IN;SP1;PA0,0;PD9,9;", .folder = folder.path()});
+                                       {.folder = folder.path(), .input = "IN;SP1;PA0,0;PD9,9;"});
   EXPECT_EQ(plot.exit_code, 2);
 }
 
