@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "demos/knob.h"
@@ -41,7 +42,7 @@ class Demo {
   /// How often its display shows a whole picture.
   virtual Rate refresh() const { return Rate{60, 1}; }
 
-  /// Whether the last step left the picture as it was.
+  /// Whether the last step left the picture as it was. A copy's first step does not.
   virtual bool still() const { return false; }
 
   /// Turns knobs, resizes, updates and draws: one step.
@@ -93,6 +94,19 @@ class ClonableDemo : public Base {
   }
 };
 
+/// Whether a demo has drawn yet. A copy has not: it may be given another picture to draw on.
+class HasDrawn {
+ public:
+  HasDrawn() = default;
+  HasDrawn(const HasDrawn&) {}
+  HasDrawn& operator=(const HasDrawn&) { return *this; }
+  /// @return whether this was so before
+  bool mark() { return std::exchange(drawn_, true); }
+
+ private:
+  bool drawn_ = false;
+};
+
 /// An entry of the registry.
 struct DemoInfo {
   std::string_view name;     ///< as typed: "frame-buffer"
@@ -103,6 +117,7 @@ struct DemoInfo {
   std::string_view mouse = {};  ///< what the mouse does, if anything: "drag to orbit"
   /// Rows of the textbook that it shows, as the course names them.
   std::vector<std::string_view> topics = {};
+  bool steps_back = true;  ///< false: its past is not kept
 };
 
 }  // namespace kinescope

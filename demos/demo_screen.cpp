@@ -1,8 +1,5 @@
 #include "demos/demo_screen.h"
 
-#include <fmt/format.h>
-
-#include <filesystem>
 #include <utility>
 
 #include "raster/base/error.h"
@@ -26,13 +23,6 @@ bool is_mouse(InputKind kind) {
 }
 
 }  // namespace
-
-std::string free_picture_name(std::string_view demo_name) {
-  for (int i = 1;; ++i) {
-    std::string name = fmt::format("kinescope-{}-{:04}.png", demo_name, i);
-    if (!std::filesystem::exists(name)) return name;
-  }
-}
 
 DemoScreen::DemoScreen(const DemoInfo& info, const DemoSetup& setup)
     : info_(info),
@@ -94,14 +84,19 @@ bool DemoScreen::panel_mouse(const InputEvent& event) {
   return panel_holds_mouse_ || (inside && event.kind == InputKind::kWheel);
 }
 
-void DemoScreen::save() {
+void DemoScreen::say(const std::string& message) {
+  message_ = message;
   message_ticks_ = kMessageTicks;
+  dirty_ = true;
+}
+
+void DemoScreen::save() {
   try {
     const std::string name = free_picture_name(info_.name);
     write_png(name, player_.picture());
-    message_ = "saved " + name;
+    say("saved " + name);
   } catch (const Error& error) {
-    message_ = error.what();
+    say(error.what());
   }
 }
 
@@ -114,9 +109,16 @@ bool DemoScreen::move() {
                       std::exchange(waiting_, {}));
       return !player_.demo().still();
     case Move::kBack:
-      return player_.back();
+      if (info_.steps_back) return player_.back();
+      say("its past is not kept: there is no stepping back");
+      return false;
   }
   return false;
+}
+
+bool DemoScreen::idle() const {
+  if (dirty_ || message_ticks_ > 0 || transport_.steps_once()) return false;
+  return transport_.paused() || (waiting_.empty() && player_.demo().still());
 }
 
 bool DemoScreen::tick(int frames_per_second) {

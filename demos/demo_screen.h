@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "demos/picture_name.h"
 #include "demos/player.h"
 #include "demos/screen.h"
 #include "demos/transport.h"
@@ -22,6 +23,7 @@ class DemoScreen : public Screen {
   bool tick(int frames_per_second) override;
   const Image<Srgb8>& frame() const override { return frame_; }
   Seconds tick_length() const override { return player_.demo().refresh().period(); }
+  bool idle() const override;
   bool typing() const override { return player_.demo().typing(); }
   bool done() const override { return false; }
 
@@ -31,6 +33,7 @@ class DemoScreen : public Screen {
  private:
   bool own_key(const std::string& key);
   bool panel_mouse(const InputEvent& event);
+  void say(const std::string& message);
   void save();
   bool move();
   void compose(int frames_per_second);
@@ -51,8 +54,5 @@ class DemoScreen : public Screen {
   std::vector<InputEvent> waiting_;  // for the next step
   Image<Srgb8> frame_;
 };
-
-/// The first of kinescope-NAME-0001.png, -0002 ... that does not exist in the current folder.
-std::string free_picture_name(std::string_view demo_name);
 
 }  // namespace kinescope

@@ -19,7 +19,37 @@ bool looks_like_text(std::span<const std::uint8_t> bytes) {
   });
 }
 
+/// The lowest byte first.
+Word word_at(std::span<const std::uint8_t> bytes, std::size_t at, std::size_t bytes_a_word) {
+  Word word = 0;
+  for (std::size_t b = 0; b < bytes_a_word; ++b) word |= Word{bytes[at + b]} << (8 * b);
+  return word;
+}
+
 }  // namespace
+
+bool looks_like_display_file(std::span<const std::uint8_t> first_bytes, bool all,
+                             const InstructionSet& set) {
+  if (first_bytes.empty()) return false;
+  if (looks_like_text(first_bytes)) {
+    const std::string_view text(reinterpret_cast<const char*>(first_bytes.data()),
+                                first_bytes.size());
+    return is_display_file_text(all ? text : text.substr(0, text.rfind('\n') + 1), set);
+  }
+  const auto bytes_a_word = static_cast<std::size_t>(set.word_bits() / 8);
+  if (all && first_bytes.size() % bytes_a_word != 0) return false;
+  std::vector<Word> words;
+  for (std::size_t i = 0; i + bytes_a_word <= first_bytes.size(); i += bytes_a_word) {
+    words.push_back(word_at(first_bytes, i, bytes_a_word));
+  }
+  for (std::size_t at = 0; at < words.size();) {
+    const InstructionSet::Text text = set.decode(std::span(words).subspan(at));
+    const bool cut_off = !all && at + 1 == words.size();
+    if (text.text.empty() && !cut_off) return false;
+    at += text.words;
+  }
+  return std::any_of(words.begin(), words.end(), [](Word word) { return word != 0; });
+}
 
 DisplayFile read_display_file(InputFile& input, const InstructionSet& set,
                               std::optional<bool> is_text) {
@@ -37,11 +67,14 @@ DisplayFile read_display_file(InputFile& input, const InstructionSet& set,
   }
   DisplayFile file;
   for (std::size_t i = 0; i < bytes.size(); i += bytes_a_word) {
-    Word word = 0;
-    for (std::size_t b = 0; b < bytes_a_word; ++b) word |= Word{bytes[i + b]} << (8 * b);
-    file.words.push_back(word);
+    file.words.push_back(word_at(bytes, i, bytes_a_word));
   }
   return file;
+}
+
+std::size_t memory_for(const VectorMachine& machine, const DisplayFile& program) {
+  const auto built = static_cast<std::size_t>(machine.memory_words);
+  return machine.name == "generic" ? std::max(built, program.words.size()) : built;
 }
 
 std::string words_as_bytes(std::span<const Word> words, const InstructionSet& set) {
@@ -56,7 +89,7 @@ std::string words_as_bytes(std::span<const Word> words, const InstructionSet& se
 
 VectorDrawing one_refresh(const VectorMachine& machine, const DisplayFile& program,
                           const std::string& name) {
-  DisplayMemory memory(static_cast<std::size_t>(machine.memory_words));
+  DisplayMemory memory(memory_for(machine, program));
   if (program.words.size() > memory.size()) {
     throw_bad_input(fmt::format("its {} words do not fit the machine's memory of {}",
                                 program.words.size(), memory.size()),

@@ -30,6 +30,10 @@ class FilmScreen : public Screen {
   bool tick(int frames_per_second) override;
   const Image<Srgb8>& frame() const override { return frame_; }
   Seconds tick_length() const override { return pace_.tick; }
+  bool idle() const override {
+    return transport_.paused() && !transport_.steps_once() && !owes_step_ && !black_ && !dirty_ &&
+           message_ticks_ == 0 && size_.width == frame_.width() && size_.height == frame_.height();
+  }
   bool done() const override { return false; }
 
   /// Of the film, at the end of the picture that is shown.

@@ -41,6 +41,12 @@ void fit_depth(Camera& camera, const Bounds& bounds) {
   camera.near_plane = std::max(distance - radius, camera.far_plane * 1e-4f);
 }
 
+void walk_around(Camera& camera, double turn_rad, const Bounds& bounds) {
+  const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), static_cast<float>(turn_rad), kUp);
+  camera.eye = camera.look_at + glm::vec3(turn * glm::vec4(camera.eye - camera.look_at, 0));
+  fit_depth(camera, bounds);
+}
+
 Scene upright_scene(Scene scene, const RenderOptions& options) {
   return stand_up(std::move(scene), up_of(options));
 }
@@ -73,11 +79,7 @@ ModelView::ModelView(Scene scene, const RenderOptions& options, double aspect, b
 
 RenderStats ModelView::draw(double turn_rad, RenderTarget& target, bool want_visibility_hash) {
   Camera camera = camera_;
-  if (turn_rad != 0) {
-    const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), static_cast<float>(turn_rad), kUp);
-    camera.eye = camera.look_at + glm::vec3(turn * glm::vec4(camera.eye - camera.look_at, 0));
-    fit_depth(camera, bounds_);
-  }
+  if (turn_rad != 0) walk_around(camera, turn_rad, bounds_);
   if (own_lights_) {
     scene_.lights.clear();
     add_default_lights(scene_, camera);

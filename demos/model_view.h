@@ -16,6 +16,8 @@ Camera model_camera(const Scene& upright, const RenderOptions& options, double a
 
 /// Depth planes about the whole scene, for a camera that was moved.
 void fit_depth(Camera& camera, const Bounds& bounds);
+/// Moves a camera round what it looks at, about the vertical.
+void walk_around(Camera& camera, double turn_rad, const Bounds& bounds);
 
 class ModelView {
  public:

@@ -92,9 +92,14 @@ struct VectorRequest {
   bool segments = false, texts = false;  ///< print them
   bool pty = false;                      ///< the input is a terminal that programs draw on
   bool display_file = false;             ///< the input is a display processor's program
-  std::string machine = "generic";       ///< that runs it
-  std::string assemble, disassemble;     ///< a display file to translate, or empty
+  bool model = false;                    ///< the input is a model; see also RenderOptions
+  bool hidden_removed = false;           ///< of a model: only edges in sight
+  double crease_deg = 1;                 ///< of a model: edges that bend less are left out
+  Seconds turn{6};                       ///< so long a model takes to turn once; 0: it stands
+  std::string machine = "generic";       ///< that runs display files
+  std::string assemble, disassemble;     ///< a file to translate, or empty
   bool list_machines = false;
+  bool hard_copy = false;      ///< of a storage screen, instead of a photograph
   std::optional<double> gain;  ///< none: by the shutter's length
   Seconds start{0};
 };

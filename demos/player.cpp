@@ -21,7 +21,10 @@ Player::Player(const DemoInfo& info, const DemoSetup& setup, std::size_t snapsho
 
 void Player::forward(Seconds length, std::vector<InputEvent> events) {
   assert(length > Seconds(0));
-  if (trace_.steps() > 0 && trace_.steps() % kInterval == 0) remember(trace_.steps());
+  // Steps that left the picture as it was are played again for nothing.
+  if (trace_.steps() > 0 && trace_.steps() % kInterval == 0 && !demo_->still()) {
+    remember(trace_.steps());
+  }
   trace_.add(length, std::move(events));
   play(trace_.steps() - 1);
 }

@@ -78,6 +78,7 @@ DemoInfo practical_9_demo();
 DemoInfo practical_10_demo();
 DemoInfo practical_11_demo();
 DemoInfo practical_12_demo();
+DemoInfo wireframe_demo();
 DemoInfo display_file_demo();
 DemoInfo rubber_band_demo();
 DemoInfo light_pen_demo();
@@ -102,6 +103,7 @@ std::span<const DemoInfo> all_demos() {
                                     spacewar_demo(),
                                     oscilloscope_demo(),
                                     storage_demo(),
+                                    wireframe_demo(),
                                     four_operations_demo(),
                                     samples_demo(),
                                     coordinates_demo(),

@@ -16,6 +16,9 @@ class Screen {
   virtual const Image<Srgb8>& frame() const = 0;
   /// Wall-clock time of a tick.
   virtual Seconds tick_length() const = 0;
+  /// Whether nothing changes until an event comes, or not for long: ticks are then made up for,
+  /// many at once.
+  virtual bool idle() const { return false; }
   /// Whether every key, Escape too, goes into a text field.
   virtual bool typing() const { return false; }
   /// Whether the user is done with it.

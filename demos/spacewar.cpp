@@ -14,6 +14,8 @@ namespace {
 enum { kGravity, kPhosphor, kSky };
 
 constexpr std::array kPhosphors = {"P7", "P31"};
+// P7's flash is a blue that the eye sees little of: exposed for what is green in it.
+constexpr std::array kIris = {12.0, 1.0};
 constexpr Address kList = 0, kShips = 600, kSkyList = 1000;
 constexpr int kStars = 120;
 // Outlines, units: nose along x. The first is a needle, the second a wedge.
@@ -39,7 +41,9 @@ class Spacewar : public ClonableDemo<Spacewar> {
   void resized() override { monitor_.resize(width(), height()); }
 
   void update(const Step& step) override {
-    monitor_.coat(kPhosphors[static_cast<std::size_t>(knob(kPhosphor).index())]);
+    const auto phosphor = static_cast<std::size_t>(knob(kPhosphor).index());
+    monitor_.coat(kPhosphors[phosphor]);
+    monitor_.open_iris(kIris[phosphor]);
     for (const InputEvent& event : step.events) answer(event);
     world_.run_to(step.exposure.end, knob(kGravity).on());
     write_list();

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "demos/demo.h"
+#include "demos/followed_knobs.h"
 #include "demos/gnuplot_stream.h"
 #include "demos/ui/canvas.h"
 #include "demos/ui/theme.h"
@@ -35,12 +36,14 @@ class Storage : public ClonableDemo<Storage> {
   std::size_t state_bytes() const override {
     return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) * 48;
   }
+  bool still() const override { return still_; }
 
  private:
   /// A new tube is given what had been sent.
   void resized() override {
     tube_ =
         StorageTube(find_storage_tube(kTubes[static_cast<std::size_t>(shown_)]), width(), height());
+    followed_.forget();
     reader_ = TekReader();
     received_ = kErasure;
     copy_ = {};
@@ -51,6 +54,7 @@ class Storage : public ClonableDemo<Storage> {
       shown_ = knob(kTube).index();
       resized();
     }
+    still_ = step.events.empty() && !followed_.follow(knobs());
     for (const InputEvent& event : step.events) {
       if (event.kind != InputKind::kKeyDown) continue;
       if (event.key == "p") page();
@@ -95,6 +99,8 @@ class Storage : public ClonableDemo<Storage> {
   void draw(const Step& step, Image<Srgb8>& picture) override {
     if (tube_.now() < step.exposure.begin) tube_.expose(step.exposure.begin, studio().workers);
     const Image<LinearRgb>& light = tube_.expose(step.exposure.end, studio().workers);
+    still_ = drawn_.mark() && still_ && tube_.still() && !tube_.changed();
+    if (still_) return;
     const double part = std::clamp(step.exposure.length().count() * 60, 1.0 / 64, 1.0);
     encode_light(light, ExposureGain::fixed(static_cast<float>(1 / part)), studio().workers,
                  picture);
@@ -124,6 +130,9 @@ class Storage : public ClonableDemo<Storage> {
   }
 
   StorageTube tube_;
+  FollowedKnobs followed_;
+  HasDrawn drawn_;
+  bool still_ = false;
   TekReader reader_;
   int shown_ = 0;
   double sent_ = kErasure;  // bytes

@@ -21,6 +21,8 @@ class Transport {
   Move next();
 
   bool paused() const { return paused_; }
+  /// Whether the next tick is a single step.
+  bool steps_once() const { return single_ != Move::kNone; }
   /// Simulated seconds a second: 1, 1/2, 1/5, 1/10 ... 1/100000.
   double time_scale() const;
   /// "1x", "1/2000x".

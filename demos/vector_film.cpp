@@ -17,6 +17,7 @@ namespace {
 
 constexpr Seconds kSixtieth(1.0 / 60);
 constexpr Seconds kFadedOut(1);  // after it a passing beam's light is gone
+constexpr Seconds kLongestList(60);
 constexpr std::size_t kBatch = 1 << 20;
 
 /// A tube of the drawing's own shape, 4096 points wide, in colour.
@@ -86,7 +87,7 @@ class Refreshed {
 class Program {
  public:
   Program(const VectorMachine& machine, const DisplayFile& program, Size size, std::string name)
-      : memory_(static_cast<std::size_t>(machine.memory_words)),
+      : memory_(memory_for(machine, program)),
         processor_(machine, memory_),
         tube_(machine, size.width, size.height),
         name_(std::move(name)) {
@@ -135,23 +136,33 @@ VectorShow storage_show(const VectorDrawing& drawing, Size size) {
   VectorShow show = show_of(tube);
   show.settled = tube->busy_until() + kFadedOut;
   show.still = [tube] { return tube->still() && !tube->changed(); };
+  show.hard_copy = [tube] { return tube->hard_copy(); };
   return show;
 }
 
-VectorShow processor_show(const VectorMachine& machine, std::shared_ptr<const DisplayFile> program,
-                          Size size, const std::string& name) {
-  VectorShow show = show_of(std::make_shared<Program>(machine, *program, size, name));
-  DisplayMemory memory(static_cast<std::size_t>(machine.memory_words));
-  memory.load(0, program->words);
+void time_refresh(VectorShow& show, const VectorMachine& machine, const DisplayFile& program) {
+  DisplayMemory memory(memory_for(machine, program));
+  memory.load(0, program.words);
   DisplayProcessor scratch(machine, memory);
-  scratch.start(program->start);
+  scratch.start(program.start);
   std::vector<BeamMove> moves;
-  for (Seconds end{0}; scratch.refreshes() < 5 && end < Seconds(1); moves.clear()) {
+  Seconds end{0};
+  const auto goes_on = [&](std::int64_t refreshes, Seconds longest) {
+    return scratch.refreshes() < refreshes && end < longest &&
+           scratch.status() == ProcessorStatus::kRunning;
+  };
+  for (; goes_on(5, Seconds(1)) || goes_on(2, kLongestList); moves.clear()) {
     scratch.run(end += milliseconds(1), moves);
   }
   const auto period = scratch.refresh_period();
   show.whole = std::max(period.value_or(Seconds(1)), kSixtieth);
   show.settled = period ? 6 * *period : Seconds(0);  // a list that halts is seen once
+}
+
+VectorShow processor_show(const VectorMachine& machine, std::shared_ptr<const DisplayFile> program,
+                          Size size, const std::string& name) {
+  VectorShow show = show_of(std::make_shared<Program>(machine, *program, size, name));
+  time_refresh(show, machine, *program);
   return show;
 }
 

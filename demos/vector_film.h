@@ -22,6 +22,8 @@ struct VectorShow {
   Seconds settled{0}, whole{1.0 / 60};
   /// Whether the last exposure was the same as the one before, and the next will be.
   std::function<bool()> still = [] { return false; };
+  /// What a copier puts on paper of a storage screen; of other tubes: none.
+  std::function<Image<Srgb8>()> hard_copy;
 };
 
 /// A drawing as a list that is refreshed 60 times a second, or as often as its length allows.
@@ -32,6 +34,9 @@ VectorShow storage_show(const VectorDrawing& drawing, Size size);
 /// @param name of its file
 VectorShow processor_show(const VectorMachine& machine, std::shared_ptr<const DisplayFile> program,
                           Size size, const std::string& name);
+
+/// Times a program's refresh on its machine, for the show's whole picture.
+void time_refresh(VectorShow& show, const VectorMachine& machine, const DisplayFile& program);
 
 struct VectorShot {
   FrameRange frames;

@@ -16,6 +16,31 @@ double scale_of(const VectorMachine& machine, int width, int height) {
                   static_cast<double>(height) / machine.height);
 }
 
+float luminance(const LinearRgb& c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
+
+/// White is added to what a screen's colours cannot show, until its luminance is right.
+LinearRgb towards_white(const LinearRgb& c) {
+  const auto shown = [](float v) { return std::clamp(v, 0.0f, 1.0f); };
+  const LinearRgb clipped{shown(c.r), shown(c.g), shown(c.b)};
+  const float lacks = luminance(c) - luminance(clipped), room = 1 - luminance(clipped);
+  const float white = room > 0 ? shown(lacks / room) : 0;
+  return {clipped.r + white * (1 - clipped.r), clipped.g + white * (1 - clipped.g),
+          clipped.b + white * (1 - clipped.b)};
+}
+
+void overexpose(const Image<LinearRgb>& light, float gain, Workers& workers,
+                Image<LinearRgb>& exposed) {
+  if (exposed.width() != light.width() || exposed.height() != light.height()) {
+    exposed = Image<LinearRgb>(light.width(), light.height());
+  }
+  run_rows(workers, light.height(), [&](int y) {
+    std::transform(light.row(y), light.row(y) + light.width(), exposed.row(y),
+                   [gain](const LinearRgb& c) {
+                     return towards_white({gain * c.r, gain * c.g, gain * c.b});
+                   });
+  });
+}
+
 }  // namespace
 
 VectorMonitor::VectorMonitor(const VectorMachine& machine, int width, int height)
@@ -38,7 +63,8 @@ VectorMonitor::VectorMonitor(const VectorMonitor& other)
       pen_(other.pen_),
       hits_(other.hits_),
       refreshes_(other.refreshes_),
-      start_(other.start_) {
+      start_(other.start_),
+      gain_(other.gain_) {
   processor_.emplace(*machine_, memory_);
   processor_->state() = other.processor_->state();
 }
@@ -110,7 +136,12 @@ void VectorMonitor::expose(const Step& step, Workers& workers, Image<Srgb8>& pic
   run(step.exposure.end);
   const Image<LinearRgb>& light = tube_.expose(moves_, step.exposure.end, workers);
   const double part = std::clamp(step.exposure.length().count() * 60, 1 / kIris, 1.0);
-  encode_light(light, ExposureGain::fixed(static_cast<float>(1 / part)), workers, picture);
+  if (gain_ > 1) {
+    overexpose(light, static_cast<float>(gain_ / part), workers, exposed_);
+    encode_light(exposed_, ExposureGain::fixed(1), workers, picture);
+  } else {
+    encode_light(light, ExposureGain::fixed(static_cast<float>(gain_ / part)), workers, picture);
+  }
 }
 
 Seconds VectorMonitor::period() const {

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -29,10 +30,20 @@ class VectorMonitor {
   /// Another phosphor: a new tube, dark.
   void coat(std::string_view phosphor);
 
+  /// How far the camera's iris is open: 1 shows a white line as white. Above 1, what is too bright
+  /// for its colour goes towards white, as film does and eyes do, so that its luminance is seen.
+  void open_iris(double gain) { gain_ = gain; }
+
   /// Assembles a program of the demo's own, loads it and starts it.
   DisplayFile load(std::string_view text);
   /// Changes one instruction while it is displayed. @return the address that follows it
   Address write(Address at, std::string_view name, std::initializer_list<std::int64_t> operands);
+  /// A list that is shown once the present one is through. @throws Error (bad input) if it does not
+  /// fit the memory
+  void put(Address at, std::span<const Word> words) {
+    memory_.load(at, words);
+    show(at);
+  }
   /// The list that is shown once this one is through.
   void show(Address address) { processor_->show(address); }
   /// The text of the instruction there.
@@ -70,6 +81,8 @@ class VectorMonitor {
   std::vector<BeamMove> moves_;
   std::int64_t refreshes_ = 0;
   Address start_ = 0;
+  double gain_ = 1;
+  Image<LinearRgb> exposed_;  // with an open iris; nothing in it outlives an exposure
 };
 
 /// The generic machine with less memory, so that copies are cheap.

@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "demos/console.h"
+#include "demos/picture_name.h"
 #include "display/light_encode.h"
 #include "display/vector/storage_tube.h"
+#include "raster/image/codecs.h"
 #include "raster/image/draw.h"
 
 namespace kinescope {
 namespace {
 
-using MakeShow = std::function<VectorShow(Size)>;
+using MakeShow = std::function<VectorShow(Size, Workers&)>;
 
 /// Time on the tube is its own: it begins anew with each size of the window.
 class VectorView : public ClonableDemo<VectorView> {
@@ -24,7 +27,7 @@ class VectorView : public ClonableDemo<VectorView> {
 
  private:
   void resized() override {
-    show_ = make_({width(), height()});
+    show_ = make_({width(), height()}, studio().workers);
     now_ = Seconds(0);
     still_ = false;
   }
@@ -92,9 +95,24 @@ class TerminalView : public ClonableDemo<TerminalView> {
     segments_ = drawing.segments.size();
     texts_ = drawing.texts.size();
   }
+  /// Programs ask for a copy; it shows all that they had drawn by then.
+  void copy_where_asked() {
+    const auto& events = terminal_->drawing().events;
+    const auto asked = std::count_if(events.begin(), events.end(), [](const DrawingEvent& e) {
+      return e.kind == DrawingEvent::Kind::kHardCopy;
+    });
+    copy_due_ = copy_due_ || asked > copies_;
+    copies_ = asked;
+    if (!copy_due_ || tube_->busy_until() > now_) return;
+    copy_due_ = false;
+    const std::string file = free_picture_name("hard-copy");
+    write_png(file, tube_->hard_copy());
+    print_remark("wrote " + file, false);
+  }
   void draw(const Step& step, Image<Srgb8>& picture) override {
     now_ += step.exposure.length();
     const Image<LinearRgb>& light = tube_->expose(now_, studio().workers);
+    copy_where_asked();
     const bool crosshair = terminal_->crosshair_shown();
     still_ = still_ && !tube_->changed() && crosshair == crosshair_;
     crosshair_ = crosshair;
@@ -128,6 +146,8 @@ class TerminalView : public ClonableDemo<TerminalView> {
   std::shared_ptr<StorageTube> tube_;
   Seconds now_{0};
   std::size_t segments_ = 0, texts_ = 0;  // that the tube was given
+  std::ptrdiff_t copies_ = 0;             // that were asked for since the last erasure
+  bool copy_due_ = false;
   bool still_ = false, crosshair_ = false;
   int mouse_x_ = 0, mouse_y_ = 0;
 };
@@ -136,6 +156,7 @@ class TerminalView : public ClonableDemo<TerminalView> {
 
 DemoInfo vector_view(MakeShow make) {
   DemoInfo info{"vector", "", "Strokes of the user's own", {}};
+  info.steps_back = false;
   info.create = [make = std::move(make)](const DemoSetup& setup) {
     return std::make_unique<VectorView>(setup, make);
   };
@@ -144,6 +165,7 @@ DemoInfo vector_view(MakeShow make) {
 
 DemoInfo vector_view(std::shared_ptr<VectorTerminal> terminal) {
   DemoInfo info{"vector", "", "Strokes of the user's own", {}};
+  info.steps_back = false;
   info.create = [terminal](const DemoSetup& setup) {
     return std::make_unique<TerminalView>(setup, terminal);
   };

@@ -12,7 +12,7 @@ namespace kinescope {
 
 /// @param make what is shown in a window of a size, from its beginning. The past cannot be stepped
 /// back to.
-DemoInfo vector_view(std::function<VectorShow(Size)> make);
+DemoInfo vector_view(std::function<VectorShow(Size, Workers&)> make);
 
 /// Live: what programs draw appears on a storage tube as it arrives. A key or a click answers a
 /// crosshair. The past cannot be stepped back to.

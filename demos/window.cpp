@@ -24,6 +24,9 @@ Moment now() { return Clock::now(); }
 
 enum class Outcome { kDone, kLeft, kClosed };
 
+/// While a screen is idle its ticks are made up for this often.
+constexpr Seconds kRest(0.25);
+
 /// Counts presented frames, over half a second each.
 class RateMeter {
  public:
@@ -32,6 +35,11 @@ class RateMeter {
     const Seconds passed = now() - since_;
     if (passed < Seconds(0.5)) return;
     rate_ = static_cast<int>(std::lround(frames_ / passed.count()));
+    frames_ = 0;
+    since_ = now();
+  }
+  /// Forgets a half second that has begun.
+  void restart() {
     frames_ = 0;
     since_ = now();
   }
@@ -52,6 +60,16 @@ bool leaves(Presenter& presenter, const InputEvent& event) {
   return false;
 }
 
+/// Makes up for the ticks of an idle screen that are due. @return whether its frame has changed
+bool sleep_through(Screen& screen, Moment& next, int rate) {
+  bool changed = false;
+  while (screen.idle() && next + screen.tick_length() <= now()) {
+    changed |= screen.tick(rate);
+    next += screen.tick_length();
+  }
+  return changed;
+}
+
 /// Shows a screen until it is done, left with Escape, or the window is closed. Where the machine is
 /// slow, ticks come later: simulated time lags, nothing freezes.
 Outcome run(Presenter& presenter, Screen& screen, Workers& workers) {
@@ -63,7 +81,14 @@ Outcome run(Presenter& presenter, Screen& screen, Workers& workers) {
   RateMeter meter;
   Moment next = now();
   while (true) {
-    for (const InputEvent& event : presenter.poll(std::max(Seconds(0), next - now()))) {
+    const bool rests = screen.idle();
+    const Seconds wait = next - now() + (rests ? kRest : Seconds(0));
+    const auto events = presenter.poll(std::max(Seconds(0), wait));
+    if (rests) {
+      meter.restart();
+      if (sleep_through(screen, next, meter.rate())) presenter.present(screen.frame(), workers);
+    }
+    for (const InputEvent& event : events) {
       if (event.kind == InputKind::kQuit) return Outcome::kClosed;
       if (!screen.typing() && leaves(presenter, event)) return Outcome::kLeft;
       screen.handle(event);

@@ -16,6 +16,8 @@
 namespace kinescope {
 namespace {
 
+constexpr Seconds kShortestNap(0.002), kLongestNap(0.025);
+
 [[noreturn]] void fail(const std::string& what) {
   throw Error(ErrorKind::kCannotWrite, what + ": " + SDL_GetError());
 }
@@ -260,7 +262,7 @@ std::vector<InputEvent> Presenter::poll(Seconds wait) {
   // Not SDL_WaitEventTimeout(): for each event that ends it SDL's X11 driver sends the window a
   // message over a second connection. If the window is destroyed before the server comes to that,
   // Xlib ends the program with BadWindow.
-  constexpr Seconds kNap(0.002);
+  const Seconds nap = std::clamp(0.1 * wait, kShortestNap, kLongestNap);
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                       std::clamp(wait, Seconds(0), Seconds(3600)));
   std::vector<InputEvent> events;
@@ -273,7 +275,7 @@ std::vector<InputEvent> Presenter::poll(Seconds wait) {
     }
     const Seconds left = end - Clock::now();
     if (any || left <= Seconds(0)) return events;
-    std::this_thread::sleep_for(std::min(left, kNap));
+    std::this_thread::sleep_for(std::min(left, nap));
   }
 }
 

@@ -30,7 +30,8 @@ class Presenter {
   void set_title(const std::string& title);
   /// Shows the picture, centred if its size differs from the window's.
   void present(const Image<Srgb8>& picture, Workers& workers);
-  /// Events since the last call; waits up to `wait` for the first one.
+  /// Events since the last call; waits up to `wait` for the first one. The longer it may wait, the
+  /// later it may come: by 2 ms, or a tenth of the wait.
   std::vector<InputEvent> poll(Seconds wait = Seconds(0));
 
  private:

@@ -1,46 +1,20 @@
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
-#include "demos/arrange.h"
 #include "demos/chosen_tube.h"
 #include "demos/commands/commands.h"
 #include "demos/console.h"
 #include "demos/model_demo.h"
+#include "demos/model_files.h"
 #include "demos/model_film.h"
 #include "demos/progress.h"
 #include "demos/session.h"
 #include "display/presenter.h"
-#include "engine/io/import.h"
 #include "raster/base/simd.h"
 
 namespace kinescope {
 namespace {
-
-/// All models in one scene.
-Scene import_models(const std::vector<std::string>& paths, Warnings& warnings) {
-  std::vector<Scene> scenes;
-  for (const std::string& path : paths) {
-    scenes.push_back(import_model(path, warnings));
-    if (drawn_triangle_count(scenes.back()) == 0) throw_bad_input("has no triangles to draw", path);
-  }
-  return side_by_side(std::move(scenes));
-}
-
-/// STL files come from machine drawing, where z is up; the others keep y.
-Options with_up_of_files(Options options) {
-  const auto& models = options.render.models;
-  const bool all_stl = std::all_of(models.begin(), models.end(), [](const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".stl";
-  });
-  if (all_stl && !options.render.up) options.render.up = glm::vec3(0, 0, 1);
-  return options;
-}
 
 /// Where the pictures go; empty: nowhere, only figures are wanted.
 std::string output_of(const Options& options, bool several) {
@@ -134,7 +108,8 @@ int show_models(const Options& options, const ModelFilmPlan& plan) {
 }
 
 int run_render(const Options& as_typed) {
-  const Options options = with_up_of_files(as_typed);
+  Options options = as_typed;
+  options.render = with_up_of_files(options.render);
   const ModelFilmPlan plan = plan_model_film(options);
   check_memory(plan, options);
   const bool wants_window =

@@ -4,22 +4,30 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <numbers>
+#include <optional>
 
 #include "demos/commands/commands.h"
 #include "demos/console.h"
 #include "demos/display_file_input.h"
 #include "demos/film.h"
 #include "demos/json.h"
+#include "demos/model_files.h"
+#include "demos/model_view.h"
 #include "demos/progress.h"
 #include "demos/session.h"
 #include "demos/vector_film.h"
 #include "demos/vector_view.h"
+#include "demos/wire_show.h"
 #include "display/presenter.h"
 #include "display/vector/beam_move.h"
 #include "display/vector/input/read_vectors.h"
 #include "display/vector/input/write_svg.h"
+#include "display/vector/stroke_list.h"
+#include "engine/io/import.h"
 #include "raster/base/error.h"
 #include "raster/base/output_file.h"
+#include "raster/image/codecs.h"
 
 namespace kinescope {
 namespace {
@@ -93,16 +101,30 @@ struct Shown {
   VectorDrawing page;                          ///< of a display file: one refresh of it
   const VectorMachine* machine = nullptr;      ///< that runs the program; none: a drawing
   std::shared_ptr<const DisplayFile> program;  ///< of a machine
+  std::optional<WireRequest> wire;             ///< a model
   std::string name;
   bool stored = false;  ///< drawn on a storage tube, as Tektronix terminals did
-  VectorShow show(Size size) const {
+  VectorShow show(Size size, Workers& workers) const {
+    if (wire) return wire_show(*wire, size, workers);
     if (machine != nullptr) return processor_show(*machine, program, size, name);
     return stored ? storage_show(page, size) : refreshed_show(page, size);
   }
 };
 
+/// The finished screen on paper.
+void write_hard_copy(const Options& options, const Shown& shown, const std::string& output) {
+  if (!shown.stored) {
+    throw Error(ErrorKind::kUsage, "only what a storage tube keeps can be copied", "--hard-copy");
+  }
+  Workers workers(options.common.threads);
+  const VectorShow show = shown.show(options.picture.size.value_or(Size{1280, 960}), workers);
+  show.expose(show.settled, workers);
+  write_png(output, show.hard_copy());
+}
+
 void write_picture(const Options& options, const Shown& shown, const std::string& output) {
   check_writable(output);
+  if (options.vector.hard_copy) return write_hard_copy(options, shown, output);
   if (wants_svg(options, output)) return write_svg(output, shown.page);
   const bool several = options.picture.frames.has_value();
   const FilmFormat format = film_format(output, options.picture.format, several);
@@ -111,7 +133,7 @@ void write_picture(const Options& options, const Shown& shown, const std::string
   check_memory(size, 64.0 * size.width * size.height +
                          static_cast<double>(shown.page.segments.size()) * 2 * sizeof(BeamMove));
   Workers workers(options.common.threads);
-  VectorFilm shots(vector_shot(options), shown.show(size), workers);
+  VectorFilm shots(vector_shot(options), shown.show(size, workers), workers);
   Film film(output, format, size, shots.rate());
   Progress progress("photographing", several ? options.picture.frames->count() : 1,
                     several && !options.common.quiet);
@@ -175,12 +197,61 @@ int list_machines(const Options& options) {
   return 0;
 }
 
-/// Text to words, or words to text.
+/// A model before its camera. It turns where more than one moment of it is shown.
+WireRequest wire_request(const Options& options, const std::string& path) {
+  RenderOptions render = options.render;
+  render.models = {path};
+  render = with_up_of_files(render);
+  Warnings warnings;
+  const Scene scene = upright_scene(import_models(render.models, warnings), render);
+  print_warnings(warnings, options.common.quiet);
+  WireRequest wire;
+  wire.machine = find_vector_machine(options.vector.machine);
+  const double aspect = static_cast<double>(wire.machine.width) / wire.machine.height;
+  wire.style.hidden_removed = options.vector.hidden_removed;
+  wire.style.crease_rad = static_cast<float>(options.vector.crease_deg * std::numbers::pi / 180);
+  const bool turns =
+      (options.picture.frames || wants_window(options)) && options.vector.turn > Seconds(0);
+  wire.model = std::make_shared<WireModel>(scene, model_camera(scene, render, aspect, turns));
+  if (turns) wire.turn_rad_per_s = 2 * std::numbers::pi / options.vector.turn.count();
+  return wire;
+}
+
+std::vector<VectorSegment> strokes_of(const Options& options, const WireRequest& wire) {
+  Workers workers(options.common.threads);
+  return wire.model->strokes(0, wire.style, wire.machine, workers);
+}
+
+bool is_model(const VectorRequest& request, InputFile& input) {
+  if (request.kind || request.display_file) return false;
+  return request.model || looks_like_model(input.name(), input.peek(kRecogniseBytes));
+}
+
+bool is_display_file(const VectorRequest& request, InputFile& input) {
+  if (request.kind || request.model || request.display_file) return request.display_file;
+  const auto first = input.peek(kRecogniseBytes);
+  const InstructionSet& set = instruction_set(find_vector_machine(request.machine).words);
+  return looks_like_display_file(first, first.size() < kRecogniseBytes, set);
+}
+
+/// A display file, or the list that a model makes.
+DisplayFile file_to_translate(const Options& options, InputFile& input, bool to_words) {
+  const VectorMachine& machine = find_vector_machine(options.vector.machine);
+  if (!to_words || !is_model(options.vector, input)) {
+    return read_display_file(input, instruction_set(machine.words), to_words);
+  }
+  DisplayFile file;
+  file.words =
+      stroke_list(strokes_of(options, wire_request(options, options.vector.assemble)), machine);
+  return file;
+}
+
+/// Text or a model to words, or words to text.
 int translate(const Options& options) {
   const bool to_words = !options.vector.assemble.empty();
   const InstructionSet& set = instruction_set(find_vector_machine(options.vector.machine).words);
   InputFile input(to_words ? options.vector.assemble : options.vector.disassemble);
-  const DisplayFile file = read_display_file(input, set, to_words);
+  const DisplayFile file = file_to_translate(options, input, to_words);
   const std::string& output = options.picture.output;
   const bool binary = to_words && !output.empty();
   if (binary && file.start != 0) {
@@ -200,7 +271,11 @@ Shown read_input(const Options& options) {
   Shown shown;
   shown.name = input.name();
   VectorDrawing drawing;
-  if (request.display_file) {
+  if (is_model(request, input)) {
+    shown.wire = wire_request(options, request.input);
+    drawing.size = {shown.wire->machine.width, shown.wire->machine.height};
+    drawing.segments = strokes_of(options, *shown.wire);
+  } else if (is_display_file(request, input)) {
     shown.machine = &find_vector_machine(request.machine);
     const InstructionSet& set = instruction_set(shown.machine->words);
     shown.program = std::make_shared<DisplayFile>(read_display_file(input, set, std::nullopt));
@@ -230,16 +305,18 @@ int run_vector(const Options& options) {
   if (!request.assemble.empty() || !request.disassemble.empty()) return translate(options);
   if (request.pty) return run_terminal(options);
   if (request.input.empty()) {
-    throw Error(
-        ErrorKind::kUsage,
-        "nothing to draw: name a Tektronix, HP-GL, SVG or WAV file, - for standard input, or "
-        "--pty");
+    throw Error(ErrorKind::kUsage,
+                "nothing to draw: name a Tektronix, HP-GL, SVG or WAV file, a display file or a "
+                "model, - for "
+                "standard input, or --pty");
   }
   const Shown shown = read_input(options);
   const bool printed = request.segments || request.texts || options.common.json;
   if (options.picture.output.empty() && printed) return 0;
   if (wants_window(options)) {
-    return open_window(options, vector_view([shown](Size size) { return shown.show(size); }));
+    return open_window(options, vector_view([shown](Size size, Workers& workers) {
+                         return shown.show(size, workers);
+                       }));
   }
   finish(options, shown, stem_of(request.input));
   return 0;

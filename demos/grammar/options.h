@@ -28,5 +28,7 @@ void add_picture(CLI::App& app, PictureOptions& picture,
 /// @param or_bare whether the picture may also be left as it is
 void add_display(CLI::App& app, PictureOptions& picture, bool or_bare);
 void add_depth(CLI::App& app, PictureOptions& picture);
+/// How a model is looked at.
+void add_camera(CLI::App& app, RenderOptions& render);
 
 }  // namespace kinescope::grammar

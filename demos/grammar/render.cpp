@@ -7,7 +7,6 @@
 #include "raster/base/error.h"
 
 namespace kinescope::grammar {
-namespace {
 
 void add_camera(CLI::App& app, RenderOptions& render) {
   const auto angle = [&app](const std::string& name, const std::string& help,
@@ -37,8 +36,6 @@ void add_camera(CLI::App& app, RenderOptions& render) {
   vector("--look", "the point it looks at (default: the middle)", render.look);
   vector("--up", "which way is up in the model (default: 0,0,1 for STL, else 0,1,0)", render.up);
 }
-
-}  // namespace
 
 void add_render(CLI::App& app, Options& options) {
   RenderOptions& render = options.render;

@@ -196,6 +196,28 @@ class Assembler {
 
 }  // namespace
 
+bool is_display_file_text(std::string_view text, const InstructionSet& set) {
+  bool instructs = false;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    std::vector<std::string> tokens;
+    try {
+      tokens = tokens_of(text.substr(0, end));
+    } catch (const Error&) {
+      return false;
+    }
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (tokens.size() >= 2 && tokens[1] == ":") tokens.erase(tokens.begin(), tokens.begin() + 2);
+    if (tokens.empty() || (tokens.size() > 2 && tokens[1] == "=")) continue;
+    if (set.length(tokens[0], tokens.size() - 1) > 0) {
+      instructs = true;
+    } else if (tokens[0] != ".org" && tokens[0] != ".word") {
+      return false;
+    }
+  }
+  return instructs;
+}
+
 DisplayFile assemble(std::string_view text, const InstructionSet& set, const std::string& file) {
   return Assembler(set, file).assemble(text);
 }

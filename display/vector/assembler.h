@@ -32,6 +32,10 @@ struct DisplayFile {
 /// @param file for messages @throws Error (bad input) naming the file and line
 DisplayFile assemble(std::string_view text, const InstructionSet& set, const std::string& file);
 
+/// Whether text is a display file's: every line one that assemble() would read, and at least one an
+/// instruction. @param text whole lines
+bool is_display_file_text(std::string_view text, const InstructionSet& set);
+
 /// A line a word or instruction, with its address and words as a comment. Assembled, it gives the
 /// same words.
 std::string disassemble(std::span<const Word> words, const InstructionSet& set);

@@ -1,6 +1,7 @@
 // The words that a display processor reads. A program may change them while they are displayed.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,6 +18,8 @@ class DisplayMemory {
   explicit DisplayMemory(std::size_t words) : words_(words, 0) {}
 
   std::size_t size() const { return words_.size(); }
+  /// More memory behind what there is; never less.
+  void grow(std::size_t words) { words_.resize(std::max(words_.size(), words), 0); }
   std::span<Word> words() { return words_; }
   std::span<const Word> words() const { return words_; }
   /// Nothing where there is no memory.

@@ -24,6 +24,8 @@ bool RepeatedMoves::same(std::span<const BeamMove> moves, Seconds begin, Seconds
       });
 }
 
+// A list out of step with the exposures is cut at another place by each: no two are the same, and
+// none is kept.
 int RepeatedMoves::count(std::span<const BeamMove> moves, Seconds begin, Seconds end) {
   if (same(moves, begin, end - begin)) return ++repeats_;
   first_.assign(moves.begin(), moves.end());

@@ -19,8 +19,8 @@ constexpr Seconds kStoreStep{1.0 / 240};
 constexpr double kUnitLight = 60;  // a second
 /// A spot is stored at least so wide, pixels: what a pixel can show without steps.
 constexpr double kLeastSigmaPx = 0.6;
-/// Steps of brightness in which the contrast fades.
-constexpr double kFadeStep = 1.0 / 512;
+/// Steps of brightness in which the contrast fades: half of a picture's 8-bit code.
+constexpr double kFadeStep = 1.0 / 256;
 
 VectorMachine writing_beam(const StorageTubeType& type) {
   const double units_mm = type.width / type.screen_mm;

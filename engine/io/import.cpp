@@ -95,4 +95,9 @@ Scene import_model(const std::string& path, Warnings& warnings) {
   return read_model(file, detect_format(file));
 }
 
+bool looks_like_model(const std::string& path, std::span<const std::uint8_t> first_bytes) {
+  Warnings unused;
+  return format_by_ending(path) || format_by_content({path, first_bytes, unused});
+}
+
 }  // namespace kinescope

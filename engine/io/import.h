@@ -1,6 +1,8 @@
 // Model files: one entry for every format.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include "engine/scene.h"
@@ -13,5 +15,8 @@ namespace kinescope {
 /// beside the model. Missing normals are computed. What can be worked around is told in `warnings`.
 /// @throws Error (bad input) naming the file and the place in it
 Scene import_model(const std::string& path, Warnings& warnings);
+
+/// Whether a file is a model, by the ending of its name or by its first bytes.
+bool looks_like_model(const std::string& path, std::span<const std::uint8_t> first_bytes);
 
 }  // namespace kinescope

@@ -137,6 +137,13 @@ INSTANTIATE_TEST_SUITE_P(
                              "1 key 2\n1 drag 40 40 90 70 4\n6 key 6\n6 drag 40 90 60 100 2\n"},
                       Golden{"windows", "windows", 9,
                              "1 drag 45 50 60 120 4\n7 click 150 50 right\n"},
+                      Golden{"display-file", "display-file", 9, "0 key -\n0 drag 40 60 280 60 4\n"},
+                      Golden{"rubber-band", "rubber-band", 9, "0 drag 100 60 220 130 20\n"},
+                      Golden{"light-pen", "light-pen", 9, "0 drag 92 87 140 100 20\n"},
+                      Golden{"spacewar", "spacewar", 30, "0 key f\n0 key w\n0 key Left\n"},
+                      Golden{"oscilloscope", "oscilloscope", 9, "0 key 2\n0 key =\n"},
+                      Golden{"storage", "storage", 40, "0 key l\n0 key l\n39 key h\n"},
+                      Golden{"wireframe", "wireframe", 4, "0 key -\n"},
                       Golden{"four-operations", "four-operations", 9, ""}),
     [](const auto& golden) {
       std::string name = golden.param.file;

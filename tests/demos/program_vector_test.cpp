@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -170,7 +171,7 @@ TEST(ProgramVector, DisplayFilesThereAndBack) {
   const RunResult run = run_shell(
       "kinescope vector --assemble a.txt -o a.bin && kinescope vector --disassemble a.bin > b.txt "
       "&& kinescope vector --assemble b.txt -o b.bin && cmp a.bin b.bin && kinescope vector a.bin "
-      "--kind display-file --segments && kinescope vector a.txt --kind display-file -o a.png && "
+      "--segments && kinescope vector a.txt -o a.png && "
       "kinescope vector a.txt --kind display-file --frames 3 --size 64x48 -o - | head -c 9",
       {.folder = folder.path()});
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -225,6 +226,59 @@ TEST(ProgramVector, TenMillionVectors) {
   const RunResult run = run_kinescope({"vector", "many.tek", "--json"}, {.folder = folder.path()});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(nlohmann::json::parse(run.out)["segments"], 9999999);
+}
+
+/// A cube as an OFF file of squares.
+constexpr const char* kCube =
+    "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
+    "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 2 3 7 6\n4 1 2 6 5\n4 0 4 7 3\n";
+
+TEST(ProgramVector, CopiesAStorageScreenToPaper) {
+  TemporaryFolder folder;
+  write_text(folder / "a.tek", "\x1b\x0c\x1d!`!@>`>@");
+  const RunResult run =
+      run_kinescope({"vector", "a.tek", "--hard-copy", "--size", "128x96", "-o", "a.png"},
+                    {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const Image<Srgb8> paper = read_image_file(folder / "a.png");
+  const auto dark = std::count_if(paper.pixels().begin(), paper.pixels().end(),
+                                  [](Srgb8 p) { return p.g < 128; });
+  EXPECT_GT(dark, 40);
+  EXPECT_LT(dark, 400);
+  EXPECT_EQ(paper.at(2, 2), (Srgb8{255, 255, 255, 255}));
+  const RunResult plot = run_kinescope({"vector", "-", "--hard-copy", "-o", "b.png"},
+                                       {.folder = folder.path(), .input = "IN;SP1;PA0,0;PD9,9;"});
+  EXPECT_EQ(plot.exit_code, 2);
+}
+
+TEST(ProgramVector, ModelsAreWireframes) {
+  TemporaryFolder folder;
+  write_text(folder / "cube", kCube);  // told by its content
+  const auto lines = [&](std::vector<std::string> args) {
+    args.insert(args.begin(), {"vector", "cube", "--segments"});
+    const RunResult run = run_kinescope(args, {.folder = folder.path()});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return std::count(run.out.begin(), run.out.end(), '\n');
+  };
+  EXPECT_EQ(lines({}), 12);
+  EXPECT_EQ(lines({"--hidden"}), 9);
+  EXPECT_EQ(lines({"--crease", "0"}), 18);
+  EXPECT_EQ(lines({"--hidden", "--azimuth", "0", "--elevation", "0"}), 4);
+  const RunResult film = run_shell(
+      "kinescope vector cube --hidden --frames 3 --size 96x96 -o spin.y4m --turn 0.5 && "
+      "kinescope vector cube --frames 30-31 --size 96x96 -o still_#.png --turn 0 && "
+      "kinescope vector --assemble cube --hidden -o cube.bin && "
+      "kinescope vector --disassemble cube.bin > cube.txt && "
+      "kinescope vector cube.bin --segments",  // told by its words
+
+      {.folder = folder.path()});
+  EXPECT_EQ(film.exit_code, 0) << film.err;
+  EXPECT_EQ(std::count(film.out.begin(), film.out.end(), '\n'), 9);
+  EXPECT_TRUE(read_text(folder / "still_30.png") == read_text(folder / "still_31.png"));
+  const RunResult dvg = run_kinescope({"vector", "cube", "--machine", "dvg", "-o", "a.png"},
+                                      {.folder = folder.path()});
+  EXPECT_EQ(dvg.exit_code, 2);
+  EXPECT_THAT(dvg.err, HasSubstr("--machine"));
 }
 
 }  // namespace

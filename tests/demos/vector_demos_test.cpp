@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "demo_testing.h"
+#include "demos/demo_screen.h"
 #include "demos/spacewar_world.h"
 #include "demos/vector_monitor.h"
 
@@ -145,6 +147,86 @@ TEST(LightPen, DragsThePartThatItPointsAt) {
   const Image<Srgb8> picture = drag("light-pen", 185, 175, 245, 175);
   EXPECT_LT(green(picture, 185, 160), 30) << "it has gone from here";
   EXPECT_GT(green(picture, 245, 160) + green(picture, 241, 160), 100);
+}
+
+/// Plays so many steps, with what comes before the first.
+void play(Player& player, int steps, std::vector<InputEvent> events = {}) {
+  for (int i = 0; i < steps; ++i) {
+    player.forward(Seconds(1.0 / 60), std::exchange(events, {}));
+  }
+}
+double brightness(const Image<Srgb8>& picture) {
+  double sum = 0;
+  for (const Srgb8 p : picture.pixels()) sum += p.r + p.g + p.b;
+  return sum / (3.0 * static_cast<double>(picture.pixels().size()));
+}
+
+TEST(DisplayFile, TheMouseAddsAVector) {
+  const Image<Srgb8> picture = drag("display-file", 100, 20, 540, 20);
+  EXPECT_GT(green(picture, 320, 20), 100) << "above all that the list draws by itself";
+}
+
+TEST(Spacewar, KeysSteerUntilTheyAreLetGo) {
+  const auto after = [](std::vector<InputEvent> keys) {
+    Player player(find_demo("spacewar"), small_setup(320, 240), 0);
+    play(player, 20, std::move(keys));
+    return player.picture();
+  };
+  InputEvent up = key_down("a");
+  up.kind = InputKind::kKeyUp;
+  const auto rest = hash_picture(after({}));
+  for (const char* const key : {"a", "d", "w", "f", "Left", "Right", "Up", "Down"}) {
+    EXPECT_NE(hash_picture(after({key_down(key)})), rest) << key;
+  }
+  EXPECT_EQ(hash_picture(after({key_down("a"), up})), rest);
+}
+
+TEST(Spacewar, IsBrightOnItsLongPhosphor) {
+  Player player(find_demo("spacewar"), small_setup(320, 240), 0);
+  play(player, 10);
+  int bright = 0;
+  for (const Srgb8 p : player.picture().pixels()) bright += p.g > 160;
+  EXPECT_GT(bright, 30);
+}
+
+TEST(Storage, PagesAndCopies) {
+  Player player(find_demo("storage"), small_setup(320, 240), 0);
+  play(player, 40, {key_down("l"), key_down("l"), key_down("w")});
+  const double plotted = brightness(player.picture());
+  EXPECT_GT(plotted, 4);
+  // The copy is paper in the upper left third.
+  play(player, 1, {key_down("h")});
+  EXPECT_GT(player.picture().at(3, 3).g, 200);
+  play(player, 1, {key_down("h")});
+  EXPECT_LT(player.picture().at(3, 3).g, 60);
+  // The page is erased with a flash, and darkness after it.
+  play(player, 3, {key_down("p")});
+  EXPECT_GT(brightness(player.picture()), 3 * plotted);
+  play(player, 20);
+  EXPECT_LT(brightness(player.picture()), plotted);
+}
+
+TEST(Storage, AStillScreenIsIdleUntilAKeyComes) {
+  DemoScreen screen(find_demo("storage"), small_setup(160, 120));
+  const auto ticks = [&](int count) {
+    for (int i = 0; i < count; ++i) screen.tick(60);
+  };
+  for (const char* const key : {"l", "l", "w"}) screen.handle(key_down(key));
+  ticks(5);
+  EXPECT_FALSE(screen.idle()) << "the plot is being drawn";
+  ticks(240);
+  EXPECT_TRUE(screen.idle());
+  EXPECT_FALSE(screen.tick(60)) << "nothing to show anew";
+  screen.handle(key_down("p"));
+  EXPECT_FALSE(screen.idle());
+  EXPECT_TRUE((ticks(1), screen.tick(60)));
+  // Paused in the midst of it, it waits for keys too.
+  screen.handle(key_down("Space"));
+  EXPECT_FALSE(screen.idle()) << "the line of state is yet to be drawn";
+  ticks(1);
+  EXPECT_TRUE(screen.idle());
+  screen.handle(key_down("."));
+  EXPECT_FALSE(screen.idle());
 }
 
 }  // namespace

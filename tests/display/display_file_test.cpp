@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <random>
+#include <set>
 
 #include "display/vector/assembler.h"
 #include "display/vector/display_processor.h"
+#include "display/vector/stroke_list.h"
 #include "raster/base/error.h"
 
 namespace kinescope {
@@ -33,6 +37,18 @@ TEST(DisplayFile, AssemblesWhatItSays) {
   EXPECT_EQ(file.words[4], 0x09640000u);
   EXPECT_EQ(file.words[16], 7u);
   EXPECT_EQ(file.words[17], 65u);
+}
+
+TEST(DisplayFile, IsToldByItsText) {
+  const InstructionSet& set = instruction_set("generic");
+  EXPECT_TRUE(is_display_file_text("; a list\nscale 16\nbox: .word 3\nhere = 5\n\n", set));
+  EXPECT_TRUE(is_display_file_text("start: move here 2\n", set));
+  for (const char* const other :
+       {"", "box:\n", ".word 7\n", "SC0,16;SP1;\n", "IN;\n", "move 1 2\nPU 3 4\n",
+        "move 1 2\n<svg>\n", "move 1 \"\n", "\x1d move\n"}) {
+    EXPECT_FALSE(is_display_file_text(other, set)) << other;
+  }
+  EXPECT_FALSE(is_display_file_text("move 1 2\n", instruction_set("dvg")));
 }
 
 TEST(DisplayFile, KnowsTheDvgsWords) {
@@ -69,6 +85,77 @@ TEST(DisplayFile, TellsTheLineOfAFault) {
   EXPECT_NE(fault_of(".org -1"), "");
   EXPECT_NE(fault_of(".word 1 +"), "");
   EXPECT_NE(fault_of("= 3"), "");
+}
+
+using Stroke = std::array<double, 4>;
+
+/// What a list draws in its first refresh, each stroke from its lesser end; and its dark ways.
+struct DrawnList {
+  std::multiset<Stroke> strokes;
+  int dark = 0;
+  Seconds period{0};
+};
+DrawnList run_list(const std::vector<Word>& words, const VectorMachine& machine) {
+  DisplayMemory memory(words.size());
+  memory.load(0, words);
+  DisplayProcessor processor(machine, memory);
+  processor.start(0);
+  std::vector<BeamMove> moves;
+  for (Seconds end{0}; processor.refreshes() < 5;) processor.run(end += milliseconds(1), moves);
+  DrawnList drawn;
+  drawn.period = *processor.refresh_period();
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const BeamMove& m = moves[i];
+    if (i > 0 && m.address < moves[i - 1].address) break;
+    drawn.dark += m.intensity == 0;
+    if (m.intensity > 0) {
+      drawn.strokes.insert(std::min(Stroke{m.x0, m.y0, m.x1, m.y1}, {m.x1, m.y1, m.x0, m.y0}));
+    }
+  }
+  return drawn;
+}
+
+TEST(StrokeList, DrawsEachStrokeOnceInTrails) {
+  const VectorMachine& machine = find_vector_machine("generic");
+  // A square with both diagonals, in no order; one side twice, one turned round, and points.
+  const std::vector<VectorSegment> strokes{{0, 0, 100, 0},   {100, 100, 0, 100}, {0, 0, 0, 100.2f},
+                                           {0, 0, 100, 100}, {5, 5, 5.3f, 5},    {100, 0, 100, 100},
+                                           {100, 0, 0, 0},   {100, 0, 0, 100},   {7, 7, 7, 7}};
+  const DrawnList drawn = run_list(stroke_list(strokes, machine), machine);
+  EXPECT_EQ(drawn.strokes, (std::multiset<Stroke>{{0, 0, 100, 0},
+                                                  {0, 100, 100, 100},
+                                                  {0, 0, 0, 100},
+                                                  {0, 0, 100, 100},
+                                                  {100, 0, 100, 100},
+                                                  {0, 100, 100, 0}}));
+  EXPECT_EQ(drawn.dark, 2);  // four corners of three strokes: two trails
+  EXPECT_NEAR(drawn.period.count(), 1.0 / 60, 1e-6) << "it waits for the clock";
+}
+
+TEST(StrokeList, DrawsAllOfManyAndALongOneWaitsForNoClock) {
+  const VectorMachine& machine = find_vector_machine("generic");
+  std::mt19937 random(3);
+  std::vector<VectorSegment> strokes;
+  std::set<Stroke> want;
+  const auto place = [&] { return static_cast<float>(random() % 12 * 300); };
+  for (int i = 0; i < 1500; ++i) {
+    const VectorSegment s{place(), place(), place(), place()};
+    strokes.push_back(s);
+    if (s.x1 == s.x2 && s.y1 == s.y2) continue;
+    want.insert(std::min(Stroke{s.x1, s.y1, s.x2, s.y2}, {s.x2, s.y2, s.x1, s.y1}));
+  }
+  const DrawnList drawn = run_list(stroke_list(strokes, machine), machine);
+  EXPECT_EQ(drawn.strokes, std::multiset<Stroke>(want.begin(), want.end()));
+  EXPECT_LT(drawn.dark, 72 + 2);  // at most one for two places
+  EXPECT_GT(drawn.period.count(), 0.02);
+  const double ticks = drawn.period.count() * 60;
+  EXPECT_GT(std::abs(ticks - std::round(ticks)), 1e-3);
+}
+
+TEST(StrokeList, SomeMachinesDrawNoLines) {
+  EXPECT_THROW(stroke_list({}, find_vector_machine("dvg")), Error);
+  EXPECT_THROW(stroke_list({}, find_vector_machine("type-30")), Error);
+  EXPECT_EQ(stroke_list({}, find_vector_machine("generic")).size(), 2u);
 }
 
 }  // namespace

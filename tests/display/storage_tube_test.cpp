@@ -60,9 +60,9 @@ TEST(StorageTube, AStillPictureIsNotDrawnAgain) {
     bench.tube.expose(bench.tube.now() + kFrame, bench.workers);
     drawn += bench.tube.changed();
   }
-  // Ten seconds: contrast fades by a five-hundredth in 2.5 s.
-  EXPECT_LE(drawn, 5);
-  EXPECT_GE(drawn, 2);
+  // Ten seconds: contrast fades by a 256th in 5 s.
+  EXPECT_LE(drawn, 3);
+  EXPECT_GE(drawn, 1);
   bench.tube.draw(bench.drawing);
   bench.tube.expose(bench.tube.now() + kFrame, bench.workers);
   EXPECT_TRUE(bench.tube.changed());

@@ -8,7 +8,6 @@
 #include "display/vector/input/beam_strokes.h"
 #include "display/vector/input/read_vectors.h"
 #include "display/vector/input/stroke_font.h"
-#include "display/vector/input/strokes_picture.h"
 #include "display/vector/input/svg_reader.h"
 #include "display/vector/input/write_svg.h"
 #include "tests/raster/scratch.h"
@@ -105,17 +104,6 @@ TEST(WriteSvg, ReadsBackTheSameStrokes) {
     EXPECT_EQ(back.segments[i].intensity, drawing.segments[i].intensity);
   }
   EXPECT_EQ(back.pens.back().pen.colour, (Srgb8{255, 0, 0}));
-}
-
-TEST(StrokesPicture, DrawsUprightAndCentred) {
-  VectorDrawing drawing;
-  drawing.size = {100, 100};
-  drawing.line({10, 90}, {30, 90});  // top left
-  Workers workers(1);
-  const Image<Srgb8> picture = strokes_picture(drawing, 200, 100, workers);
-  EXPECT_GT(picture.at(70, 10).g + picture.at(70, 9).g, 200);
-  EXPECT_EQ(picture.at(70, 90), (Srgb8{0, 0, 0}));
-  EXPECT_EQ(picture.at(20, 10), (Srgb8{0, 0, 0}));
 }
 
 TEST(RecogniseVectors, ByContent) {

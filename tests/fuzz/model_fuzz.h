@@ -5,7 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "engine/framing.h"
 #include "engine/io/reader.h"
+#include "engine/wire_strokes.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace kinescope {
@@ -53,12 +55,29 @@ inline void require_sound(const Scene& scene) {
   }
 }
 
+/// Its edges, with and without the hidden ones, are strokes within the view.
+inline void require_strokes(const Scene& scene) {
+  constexpr std::size_t kMostFaces = 500;
+  const WireScene wire = wire_scene(scene);
+  if (wire.faces.size() > kMostFaces) return;
+  Workers workers(1);
+  const Camera camera = frame_scene(scene, 1);
+  for (const bool hidden_removed : {false, true}) {
+    for (const WireStroke& s : wire_strokes(wire, camera, {hidden_removed, 0.1f}, workers)) {
+      for (const double v : {s.from.x, s.from.y, s.to.x, s.to.y}) require(std::abs(v) < 1 + 1e-6);
+    }
+  }
+}
+
 /// Nothing lies beside the file that the bytes pretend to be.
 inline int fuzz_model(const std::uint8_t* data, std::size_t size, ModelFormat format) {
   fuzz_reader(data, size, [&](auto bytes) {
     Warnings warnings;
     const ModelFile file{"/nowhere/fuzz", bytes, warnings};
-    if (!bytes.empty()) require_sound(read_model(file, format));
+    if (bytes.empty()) return;
+    const Scene scene = read_model(file, format);
+    require_sound(scene);
+    require_strokes(scene);
   });
   return 0;
 }

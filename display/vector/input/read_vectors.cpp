@@ -77,8 +77,10 @@ VectorKind kind_of(InputFile& input) {
     throw_bad_input("is compressed; pass it through gunzip first", input.name());
   }
   if (const auto kind = recognise_vectors(first)) return *kind;
-  throw_bad_input("is no Tektronix stream, HP-GL, SVG or WAV that can be recognised; see --kind",
-                  input.name());
+  throw_bad_input(
+      "is no Tektronix stream, HP-GL, SVG, WAV, display file or model that can be recognised; "
+      "see --kind",
+      input.name());
 }
 
 VectorDrawing read_tek_stream(InputFile& input) {
