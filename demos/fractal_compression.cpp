@@ -112,7 +112,7 @@ class FractalCompression : public ClonableDemo<FractalCompression, Lesson> {
     const int block = knob(kBlock).index() == 0 ? 4 : 8;
     const FractalCode code = compress_fractally(picture, block, 8, studio().workers);
     Course course;
-    course.papers.emplace_back(world().columns(), world().rows(), kPaper);
+    course.papers.emplace_back(world().columns(), world().rows(), kUnlit);
     lay(picture, [&](int x, int y, Srgb8 grey) {
       if (course.papers[0].contains(x, y)) course.papers[0].at(x, y) = grey;
     });

@@ -119,7 +119,7 @@ class Plasma : public ClonableDemo<Plasma, Lesson> {
         const double light = sea ? 1 : std::clamp(0.85 + 1.5 * (height - west), 0.45, 1.0);
         const Srgb8 c = colour_of(knob(kPalette).index(), height);
         const auto lit = [&](int v) { return static_cast<std::uint8_t>(v * light); };
-        if (top == rows) fill(static_cast<int>(y) + 1, kPaper);  // in front of it
+        if (top == rows) fill(static_cast<int>(y) + 1, kUnlit);  // in front of it
         fill(static_cast<int>(y), {lit(c.r), lit(c.g), lit(c.b), 255});
       }
       fill(0, {10, 14, 30, 255});

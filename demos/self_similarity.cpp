@@ -103,7 +103,7 @@ class SelfSimilarity : public ClonableDemo<SelfSimilarity, Lesson> {
 
   void draw(Track& track, int step) const {
     for (int y = 0; y < world().rows(); ++y) {  // wipes what was there
-      track.span({y, 0, world().columns()}, kPaper);
+      track.span({y, 0, world().columns()}, kUnlit);
     }
     if (knob(kKind).index() == kExact) koch(track, step);
     if (knob(kKind).index() == kQuasi) mandelbrot(track, step);

@@ -347,7 +347,7 @@ void Lesson::show_panes() {
   std::vector<Image<Srgb8>> papers = course_->papers;
   papers.resize(static_cast<std::size_t>(world.panes.x * world.panes.y));
   for (Image<Srgb8>& paper : papers) {
-    if (paper.empty()) paper = Image<Srgb8>(world.columns(), world.rows(), kPaper);
+    if (paper.empty()) paper = Image<Srgb8>(world.columns(), world.rows(), kUnlit);
   }
   for (int pane = 0; course_->painter && pane < static_cast<int>(papers.size()); ++pane) {
     course_->painter(playback_.shown(), pane, papers[static_cast<std::size_t>(pane)]);

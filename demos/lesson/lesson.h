@@ -88,7 +88,7 @@ class Lesson : public Demo {
  public:
   static constexpr int kSharedKnobs = 4;  ///< the last ones: every lesson has them
   static constexpr std::array kCells = {32, 20, 16, 10, 8, 5, 4, 2};
-  static constexpr Srgb8 kPaper{20, 20, 26, 255};  ///< so that borders of unlit pixels show
+  static constexpr Srgb8 kUnlit{20, 20, 26, 255};  ///< so that borders of unlit pixels show
 
   ~Lesson() override;
   bool typing() const override { return focus_ != kNoField; }
