@@ -246,6 +246,7 @@ void Lesson::draw_over(Canvas& canvas) const {
   }
   draw_marks(canvas, world);
   canvas.clear_clip();
+  if (portrait()) return;
   const float scale = theme::scale_for(height());
   const float left = theme::kMargin * scale, size = theme::kBody * scale;
   float y = static_cast<float>(height()) - (kHintRoom - 20) * scale;
