@@ -186,11 +186,18 @@ VectorFilm::VectorFilm(const VectorShot& shot, VectorShow show, Workers& workers
 
 bool VectorFilm::shoot(Film& film) {
   if (next_ > shot_.frames.last) return false;
-  const Seconds begin =
-      shot_.whole ? show_.settled : shot_.start + static_cast<double>(next_) * shot_.rate.period();
-  const Seconds length = shot_.whole ? show_.whole : shot_.shutter.value_or(shot_.rate.period());
-  if (begin > Seconds(0)) show_.expose(begin, workers_);
-  const Image<LinearRgb>& light = show_.expose(begin + length, workers_);
+  // An exposure ends where the next begins, to the last bit: the tube's time only goes forward.
+  const auto at = [&](int frame) {
+    return shot_.start + static_cast<double>(frame) * shot_.rate.period();
+  };
+  const Seconds begin = shot_.whole ? show_.settled : at(next_);
+  const Seconds end = shot_.whole     ? begin + show_.whole
+                      : shot_.shutter ? begin + *shot_.shutter
+                                      : at(next_ + 1);
+  const Seconds length = end - begin;
+  if (begin > seen_) show_.expose(begin, workers_);
+  seen_ = std::max(end, seen_);
+  const Image<LinearRgb>& light = show_.expose(seen_, workers_);
   const double by_length = shot_.whole ? 1 : kSixtieth / length;
   const auto gain = ExposureGain::fixed(static_cast<float>(shot_.gain.value_or(by_length)));
   if (shot_.deep) {

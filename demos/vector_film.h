@@ -64,6 +64,7 @@ class VectorFilm {
   VectorShow show_;
   Workers& workers_;
   int next_;
+  Seconds seen_{0};  ///< until when the tube was watched
 };
 
 }  // namespace kinescope
