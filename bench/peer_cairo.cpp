@@ -68,22 +68,29 @@ void paint_white(cairo_t* cairo) {
   cairo_paint(cairo);
 }
 
-}  // namespace
-
-struct CairoFills::State {
-  State(int width, int height)
+/// A picture that Cairo draws on.
+struct CairoPage {
+  CairoPage(int width, int height)
       : surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height)),
         cairo(cairo_create(surface)) {}
-  ~State() {
-    for (const Shape& shape : shapes) cairo_path_destroy(shape.path);
+  ~CairoPage() {
     cairo_destroy(cairo);
     cairo_surface_destroy(surface);
   }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
+  CairoPage(const CairoPage&) = delete;
+  CairoPage& operator=(const CairoPage&) = delete;
 
   cairo_surface_t* surface;
   cairo_t* cairo;
+};
+
+}  // namespace
+
+struct CairoFills::State : CairoPage {
+  using CairoPage::CairoPage;
+  ~State() {
+    for (const Shape& shape : shapes) cairo_path_destroy(shape.path);
+  }
   std::vector<Shape> shapes;
 };
 
@@ -124,19 +131,8 @@ Image<Linear8> CairoFills::picture() const { return pixels_of(state_->surface); 
 
 std::string CairoFills::version() { return cairo_version_string(); }
 
-struct CairoText::State {
-  State(int width, int height)
-      : surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height)),
-        cairo(cairo_create(surface)) {}
-  ~State() {
-    cairo_destroy(cairo);
-    cairo_surface_destroy(surface);
-  }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-
-  cairo_surface_t* surface;
-  cairo_t* cairo;
+struct CairoText::State : CairoPage {
+  using CairoPage::CairoPage;
 };
 
 CairoText::CairoText(float size_px, int width, int height)

@@ -174,22 +174,25 @@ class Lesson : public Demo {
   void draw(const Step& step, Image<Srgb8>& picture) override;
   void resized() override;
   void follow_world();
+  enum class Begin { kFirst, kLast, kStay };
+  void run_anew(Begin begin);
   void run_finer();
-  bool handle_shown(int handle) const;
+  std::size_t steps() const;
+  int running_knob() const;
+  void show_panes();
+
+  // In lesson_input.cpp.
   bool take(const InputEvent& event);
   bool take_mouse(const InputEvent& event);
   bool press(int x, int y);
   bool use(int control, float along);
+  bool handle_shown(int handle) const;
+  int handle_near(const InputEvent& event) const;
   void focus_on(int field);
-  bool take_typed(const InputEvent& event);
-  bool accept();
   bool types_words() const;
   std::string shown_in_field(int field) const;
-  int handle_near(const InputEvent& event) const;
-  enum class Begin { kFirst, kLast, kStay };
-  void run_anew(Begin begin);
-  std::size_t steps() const;
-  void show_panes();
+  bool take_typed(const InputEvent& event);
+  bool accept();
 
   // In lesson_panel.cpp.
   Rect stage() const;

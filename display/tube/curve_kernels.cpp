@@ -11,6 +11,7 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
+#include "display/eight_floats-inl.h"
 #include "raster/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,15 +19,6 @@ namespace kinescope {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
-
-using F = hn::CappedTag<float, kGroup>;
-using I = hn::RebindToSigned<F>;
-using Floats = hn::Vec<F>;
-constexpr F d;
-constexpr I di;
-
-HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(d)); }
-HWY_INLINE Floats set(float v) { return hn::Set(d, v); }
 
 /// 2^x for x below 0, to 8e-5, and 2^-126 for less. Adding 1.5 * 2^23 leaves the whole part in the
 /// lowest bits.

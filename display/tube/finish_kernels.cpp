@@ -10,22 +10,13 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
+#include "display/eight_floats-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace kinescope {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
-
-constexpr int kMostLanes = 8;
-using F = hn::CappedTag<float, kMostLanes>;
-using I = hn::RebindToSigned<F>;
-using Floats = hn::Vec<F>;
-using Ints = hn::Vec<I>;
-constexpr F d;
-constexpr I di;
-
-HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(d)); }
-HWY_INLINE Floats set(float v) { return hn::Set(d, v); }
 
 /// A row with its constants spread over vectors.
 template <int kLayers, bool kMask, bool kGlow>

@@ -10,6 +10,7 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
+#include "display/eight_floats-inl.h"
 #include "raster/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,15 +18,6 @@ namespace kinescope {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
-
-using F = hn::CappedTag<float, kGroup>;
-using I = hn::RebindToSigned<F>;
-using Floats = hn::Vec<F>;
-constexpr F d;
-constexpr I di;
-
-HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(d)); }
-HWY_INLINE Floats set(float v) { return hn::Set(d, v); }
 
 struct Pair {
   Floats narrow, wide;

@@ -14,6 +14,7 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
+#include "display/eight_floats-inl.h"
 #include "raster/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,14 +22,6 @@ namespace kinescope {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
-
-using F = hn::CappedTag<float, 8>;
-using Floats = hn::Vec<F>;
-constexpr F d;
-constexpr hn::RebindToSigned<F> di;
-
-HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(d)); }
-HWY_INLINE Floats set(float v) { return hn::Set(d, v); }
 
 /// 2^x for x in [-126, 126], to 2e-7, by its power series. Adding 1.5 * 2^23 leaves the whole part
 /// in the lowest bits.

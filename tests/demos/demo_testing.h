@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <set>
 
 #include <algorithm>
 #include <memory>
@@ -62,6 +63,18 @@ inline std::string test_name(const ::testing::TestParamInfo<std::string>& demo) 
   std::string name = demo.param;
   std::erase(name, '-');
   return name;
+}
+
+/// How many colours there are within [x0, x1) by [y0, y1).
+inline std::size_t distinct_colours(const Image<Srgb8>& picture, int x0, int y0, int x1, int y1) {
+  std::set<std::uint32_t> seen;
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      const Srgb8 c = picture.at(x, y);
+      seen.insert(static_cast<std::uint32_t>(c.r << 16 | c.g << 8 | c.b));
+    }
+  }
+  return seen.size();
 }
 
 }  // namespace kinescope
