@@ -93,6 +93,11 @@ TEST(HpglReader, FillsCoverTheirArea) {
       << "a hole stays empty";
 }
 
+TEST(HpglReader, AnAreaBetweenItsLinesIsEmpty) {
+  EXPECT_EQ(lines("SP1;PA0,10;FT3,80,0;RA500,70"), "");
+  EXPECT_EQ(lines("SP1;PA0,40;FT3,80,0;RA500,40"), "") << "no height";
+}
+
 TEST(HpglReader, LabelsStandAtTheirAnchor) {
   const auto text = [](std::string_view plot) { return read(plot).texts.at(0); };
   const DrawnText plain = text("PA1000,2000;SI.3,.5;LBAbc\x03");

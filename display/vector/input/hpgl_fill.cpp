@@ -103,7 +103,7 @@ void hatch(HpglPlotter& plotter, const std::vector<HpglContour>& polygon, double
     double* const end = c.places.data() + c.first[r + 1];
     std::sort(begin, end);
     const glm::dvec2 level = (c.lowest + static_cast<double>(r)) * lines.spacing * across;
-    for (const double* p = begin; p + 1 < end; p += 2) {
+    for (const double* p = begin; end - p >= 2; p += 2) {
       plotter.stroke(p[0] * along + level, p[1] * along + level);
     }
   }
