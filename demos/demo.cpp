@@ -18,7 +18,7 @@ Demo::~Demo() = default;
 void Demo::step(const Step& step, Image<Srgb8>& picture) {
   Step left{step.exposure, {}};
   for (const InputEvent& event : step.events) {
-    const auto turned = [&](Knob& knob) { return knob.answer(event.key); };
+    const auto turned = [&](Knob& knob) { return knob.answer(event.key, event.repeated); };
     if (event.kind == InputKind::kKeyDown && !typing() &&
         std::any_of(knobs_.begin(), knobs_.end(), turned)) {
       continue;

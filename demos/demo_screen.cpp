@@ -33,7 +33,7 @@ DemoScreen::DemoScreen(const DemoInfo& info, const DemoSetup& setup)
 
 void DemoScreen::handle(const InputEvent& event) {
   if (event.kind == InputKind::kKeyDown && !typing() &&
-      (own_key(event.key) || transport_.answer(event.key))) {
+      (own_key(event.key, event.repeated) || transport_.answer(event.key, event.repeated))) {
     dirty_ = true;
     return;
   }
@@ -47,16 +47,13 @@ void DemoScreen::handle(const InputEvent& event) {
   waiting_.push_back(event);
 }
 
-bool DemoScreen::own_key(const std::string& key) {
-  if (key == "Tab") {
-    show_panel_ = !show_panel_;
-  } else if (key == "?") {
-    show_help_ = !show_help_;
-  } else if (key == "s" || key == "S") {
-    save();
-  } else {
-    return false;
-  }
+bool DemoScreen::own_key(const std::string& key, bool repeated) {
+  const bool save_key = key == "s" || key == "S";
+  if (key != "Tab" && key != "?" && !save_key) return false;
+  if (repeated) return true;
+  if (key == "Tab") show_panel_ = !show_panel_;
+  if (key == "?") show_help_ = !show_help_;
+  if (save_key) save();
   return true;
 }
 
@@ -72,7 +69,7 @@ bool DemoScreen::panel_mouse(const InputEvent& event) {
     std::vector<Knob> knobs(player_.demo().knobs().begin(), player_.demo().knobs().end());
     for (const InputEvent& e : waiting_) {
       for (Knob& knob : knobs) {
-        if (e.kind == InputKind::kKeyDown && knob.answer(e.key)) break;
+        if (e.kind == InputKind::kKeyDown && knob.answer(e.key, e.repeated)) break;
       }
     }
     const bool drag = event.kind == InputKind::kMouseMove;

@@ -31,7 +31,7 @@ class DemoScreen : public Screen {
   const Transport& transport() const { return transport_; }
 
  private:
-  bool own_key(const std::string& key);
+  bool own_key(const std::string& key, bool repeated);
   bool panel_mouse(const InputEvent& event);
   void say(const std::string& message);
   void save();

@@ -47,14 +47,13 @@ void FilmScreen::handle(const InputEvent& event) {
   }
   if (event.kind != InputKind::kKeyDown) return;
   dirty_ = true;
+  if (transport_.answer(event.key, event.repeated) || event.repeated) return;
   if (event.key == "?") {
     show_help_ = !show_help_;
   } else if (event.key == "Tab") {
     show_state_ = !show_state_;
   } else if (event.key == "s" || event.key == "S") {
     save();
-  } else {
-    transport_.answer(event.key);
   }
 }
 

@@ -35,9 +35,10 @@ std::string Knob::text() const {
   return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
-bool Knob::answer(const std::string& key) {
+bool Knob::answer(const std::string& key, bool repeated) {
   const auto found = std::find(keys.begin(), keys.end(), key);
   if (found == keys.end()) return false;
+  if (repeated && kind != KnobKind::kNumber) return true;
   const auto which = static_cast<double>(found - keys.begin());
   switch (kind) {
     case KnobKind::kToggle:

@@ -35,8 +35,9 @@ struct Knob {
   int index() const { return static_cast<int>(value); }
   /// The value in words: "on", "Phong", "3 px".
   std::string text() const;
-  /// Turns if `key` is one of its own. @return whether it was
-  bool answer(const std::string& key);
+  /// Turns if `key` is one of its own; while one is held, `repeated`, a number alone turns on.
+  /// @return whether it was
+  bool answer(const std::string& key, bool repeated = false);
   /// The key presses that lead from the present value to `target` (clamped to the range).
   std::vector<std::string> keys_to(double target) const;
 };

@@ -22,9 +22,9 @@ Transport::Transport(double time_scale) {
   while (slowdown_ < kSlowestPlace && slowdown(slowdown_) * time_scale < 0.999) ++slowdown_;
 }
 
-bool Transport::answer(const std::string& key) {
+bool Transport::answer(const std::string& key, bool repeated) {
   if (key == "Space") {
-    paused_ = !paused_;
+    if (!repeated) paused_ = !paused_;
   } else if (key == "." || key == ",") {
     paused_ = true;
     single_ = key == "." ? Move::kForward : Move::kBack;

@@ -15,8 +15,9 @@ class Transport {
   static constexpr double kSlowest = 1e-5;
 
   explicit Transport(double time_scale = 1);
+  /// A key that is held, `repeated`, steps on; it does not pause in turns.
   /// @return whether `key` was one of its own
-  bool answer(const std::string& key);
+  bool answer(const std::string& key, bool repeated = false);
   /// What to do in this tick. A single step is done once.
   Move next();
 

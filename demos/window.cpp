@@ -52,7 +52,7 @@ class RateMeter {
 
 /// Keys and events that are the window's own. @return whether the screen is left by it
 bool leaves(Presenter& presenter, const InputEvent& event) {
-  if (event.kind != InputKind::kKeyDown) return false;
+  if (event.kind != InputKind::kKeyDown || event.repeated) return false;
   if (event.key == "F11") presenter.set_full_screen(!presenter.full_screen());
   if (event.key != "Escape") return false;
   if (!presenter.full_screen()) return true;

@@ -26,6 +26,7 @@ struct InputEvent {
   int x = 0, y = 0;  ///< mouse, window pixels; or the new size
   float wheel = 0;   ///< notches, positive away from the user
   bool shift = false, control = false;
+  bool repeated = false;  ///< a key that is held presses itself again
   bool operator==(const InputEvent&) const = default;
 };
 

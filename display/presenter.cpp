@@ -192,6 +192,7 @@ void Presenter::State::translate_key(const SDL_KeyboardEvent& in, InputEvent eve
                                      std::vector<InputEvent>& out) {
   const SDL_Scancode code = in.keysym.scancode;
   event.key = key_name(in.keysym.sym);
+  event.repeated = in.repeat != 0;
   event.shift = (in.keysym.mod & KMOD_SHIFT) != 0;
   event.control = (in.keysym.mod & KMOD_CTRL) != 0;
   if (in.type == SDL_KEYDOWN) {

@@ -46,6 +46,21 @@ TEST(Knob, NumberStaysInRangeAndOnItsSteps) {
   EXPECT_TRUE(knob.keys_to(-5).empty());
 }
 
+TEST(Knob, HeldDownTurnsNumbersOnAndNothingElse) {
+  Knob toggle = toggle_knob("tube", "d", false, "help");
+  Knob round = choice_knob("bits", {"b"}, {"8", "4", "2"}, 1, "help");
+  Knob number = number_knob("speed", "-", "=", 0, 10, 1, 3, "", "help");
+  EXPECT_FALSE(toggle.answer("x", true));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(toggle.answer("d", i > 0));
+    EXPECT_TRUE(round.answer("b", i > 0));
+    EXPECT_TRUE(number.answer("=", i > 0));
+  }
+  EXPECT_TRUE(toggle.on());
+  EXPECT_EQ(round.index(), 2);
+  EXPECT_DOUBLE_EQ(number.value, 6);
+}
+
 class EveryKnob : public EveryDemo {};
 
 TEST_P(EveryKnob, KeysAreItsOwnAndExplained) {

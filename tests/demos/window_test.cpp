@@ -28,7 +28,7 @@ TEST_F(Window, ShowsTheTeapotAndAnswersKeys) {
   key("question");
   EXPECT_TRUE(until([&](const auto& shot) { return changed(shot, paused) > 0.05; })) << "no help";
   key("question");
-  key("w");
+  hold("w");  // however long it is held
   key("period");
   key("period");
   EXPECT_TRUE(until([&](const auto& shot) { return changed(shot, paused) > 0.05; }))

@@ -62,6 +62,10 @@ class Window : public ::testing::Test {
                      folder_.path().string());
   }
   void key(const std::string& name) { display_->tool("xdotool key " + name); }
+  /// Until it has repeated itself many times.
+  void hold(const std::string& name) {
+    display_->tool("xdotool keydown " + name + " sleep 1.2 keyup " + name);
+  }
 
   /// Looks until the screen is as wanted, or patience ends.
   bool until(const std::function<bool(const Image<Srgb8>&)>& wanted) {
