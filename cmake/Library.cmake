@@ -8,6 +8,18 @@ function(kinescope_library name)
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${ARGN})
   kinescope_precompile(${name} library_headers)
+  if(KINESCOPE_FUZZ)
+    kinescope_watch_readers(${sources})
+  endif()
+endfunction()
+
+# kinescope_watch_readers(FILES...): libFuzzer sees which branches the readers among them take. They
+# alone are watched, so that the tests of a sanitized build keep their speed.
+function(kinescope_watch_readers)
+  list(FILTER ARGV INCLUDE REGEX
+    "/(characters|image|input|io)/|/(assembler|display_processor|l_system|preset|svg_path|turtle)|_words")
+  set_property(SOURCE ${ARGV} APPEND PROPERTY COMPILE_OPTIONS
+    -fsanitize-coverage=inline-8bit-counters,indirect-calls,trace-cmp,pc-table)
 endfunction()
 
 # kinescope_knows_folders(FILES...): sources that find the repository and the programs. Only these:
@@ -34,6 +46,20 @@ function(kinescope_tests name)
   kinescope_test_options(${name})
   kinescope_precompile(${name} test_headers)
   target_link_libraries(${name} PRIVATE ${ARGN} GTest::gmock GTest::gtest GTest::gtest_main fmt::fmt)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 900
-    ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/leaks.supp:print_suppressions=0")
+  if(KINESCOPE_SANITIZE)
+    kinescope_add_shards(${name})
+  else()
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 900)
+  endif()
+endfunction()
+
+# Most tests are over before a sanitized program has started: each start runs an eighth of them.
+function(kinescope_add_shards name)
+  set(leaks "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/leaks.supp:print_suppressions=0")
+  set(names "ASAN_OPTIONS=external_symbolizer_path=/usr/bin/llvm-symbolizer-19")
+  foreach(shard RANGE 7)
+    add_test(NAME ${name}_${shard} COMMAND ${name})
+    set_tests_properties(${name}_${shard} PROPERTIES TIMEOUT 1800
+      ENVIRONMENT "${leaks};${names};GTEST_TOTAL_SHARDS=8;GTEST_SHARD_INDEX=${shard}")
+  endforeach()
 endfunction()

@@ -90,7 +90,7 @@ class Gaskets : public ClonableDemo<Gaskets, Lesson> {
   void tetrahedron(Track& track) const {
     const auto [s, c] = sine_cosine_deg(knob(kTurn).value);
     const auto [up, out] = sine_cosine_deg(20);
-    const auto seen = [&, s = s, c = c, up = up, out = out](const glm::dvec3& p) {
+    const auto seen = [&](const glm::dvec3& p) {
       const double z = c * p.z - s * p.x;
       return glm::dvec3(c * p.x + s * p.z, out * p.y - up * z, out * z + up * p.y);  // z: nearness
     };

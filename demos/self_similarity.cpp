@@ -47,7 +47,7 @@ class SelfSimilarity : public ClonableDemo<SelfSimilarity, Lesson> {
     const auto [s, c] = sine_cosine_deg(60);
     draw_l_system(l_system_preset("koch"), 5, [&](const glm::dvec2& a, const glm::dvec2& b) {
       ink_line(track, world(), place(size * a), place(size * b), theme::kText);
-      const auto next = [&, s = s, c = c](const glm::dvec2& p) {
+      const auto next = [&](const glm::dvec2& p) {
         return place(size * glm::dvec2(1 + c * p.x - s * p.y, s * p.x + c * p.y));
       };
       if (step > 0) ink_line(track, world(), next(a), next(b), theme::kDim);
@@ -101,7 +101,7 @@ class SelfSimilarity : public ClonableDemo<SelfSimilarity, Lesson> {
     }
   }
 
-  void draw(Track& track, int step) const {
+  void paint(Track& track, int step) const {
     for (int y = 0; y < world().rows(); ++y) {  // wipes what was there
       track.span({y, 0, world().columns()}, kUnlit);
     }
@@ -114,11 +114,11 @@ class SelfSimilarity : public ClonableDemo<SelfSimilarity, Lesson> {
     const int kind = knob(kKind).index();
     const double factor = kFactors[static_cast<std::size_t>(kind)];
     Track whole("whole", {}, 0), part("magnified", {"magnified"}, 1);
-    draw(whole, 0);
+    paint(whole, 0);
     for (int step = 0; step < kMagnifications; ++step) {
       if (step > 0) frame(whole, std::pow(factor, -step));
       whole.step({});
-      draw(part, step);
+      paint(part, step);
       part.step({std::pow(factor, step)});
     }
     Course course;

@@ -128,9 +128,10 @@ struct AttributeList {
 /// One corner's rows of attributes of runs [k, k + lanes), turned into planes: to[a][k + lane].
 HWY_INLINE void transpose_rows(const DrawCall& call, std::size_t v, std::size_t k,
                                WeightPlanes& p) {
+  const auto count = static_cast<std::size_t>(call.attribute_count);
+  if (count == 0) return;
   const F f;
   const std::size_t lanes = hn::Lanes(f);
-  const auto count = static_cast<std::size_t>(call.attribute_count);
   const auto stride = static_cast<std::size_t>(call.attribute_stride);
   const float* row[8];
   for (std::size_t lane = 0; lane < lanes; ++lane) {

@@ -179,7 +179,7 @@ TEST(Phosphor, P22GreenAndBlueFollowKuhnsPowers) {
   // Kuhn 2002: the power law of the light after 40 ns, from 5 us on, where no fast term is left.
   for (const auto& [layer, power] : {std::pair{1, 1.1}, {2, 1.11}}) {
     const PhosphorType type = alone("P22", static_cast<std::size_t>(layer));
-    const auto kuhn = [power = power](double t) { return std::pow(t + 5.5e-6, -power); };
+    const auto kuhn = [&](double t) { return std::pow(t + 5.5e-6, -power); };
     const double scale = after_excitation(type, 40e-9, 100e-6) / kuhn(100e-6);
     for (double t = 5e-6; t < 3e-3; t *= 1.1) {
       const double want = scale * kuhn(t);
