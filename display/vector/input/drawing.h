@@ -77,6 +77,10 @@ void for_each_run(const VectorDrawing& drawing, Sink&& sink) {
   if (drawing.segments.size() > first) sink(pen, first, drawing.segments.size());
 }
 
+/// Segments [s0, s1) and texts [t0, t1), with the pens that drew them; without events.
+VectorDrawing part_of(const VectorDrawing& whole, std::size_t s0, std::size_t s1, std::size_t t0,
+                      std::size_t t1);
+
 /// The pages of a drawing: what lies between erasures and holds anything.
 std::vector<VectorDrawing> pages(VectorDrawing drawing);
 
