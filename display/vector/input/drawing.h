@@ -32,6 +32,7 @@ struct DrawnText {
   glm::vec2 up{0};           ///< height of a capital, and which way up it is
   float intensity = 1;       ///< of its strokes
   std::size_t segments = 0;  ///< drawn before it
+  VectorPen pen = {};        ///< that draws it, whatever its style in whole lines
 };
 
 /// What happens to the picture as a whole.
