@@ -213,6 +213,24 @@ TEST(ProgramVector, DisplayFilesThereAndBack) {
   EXPECT_GT(lit_pixels(folder / "a.png"), 400);
 }
 
+/// What is indented in docs/vector.md from one word to another.
+std::string list_of_docs(const std::string& beginning, const std::string& end) {
+  const std::string text = read_text(KINESCOPE_SOURCE_DIR "/docs/vector.md");
+  const std::size_t from = text.find(beginning), to = text.find(end, from);
+  return from == std::string::npos ? "" : text.substr(from, to - from);
+}
+
+TEST(ProgramVector, TheListOfTheDocsDrawsWhatItSays) {
+  TemporaryFolder folder;
+  write_text(folder / "list.txt", list_of_docs("    ; list.txt", "    kinescope"));
+  const RunResult run =
+      run_kinescope({"vector", "list.txt", "--segments"}, {.folder = folder.path()});
+  EXPECT_EQ(run.out,
+            "1000 1000 1800 1000 1\n1800 1000 1800 1800 1\n1800 1800 1000 1800 1\n"
+            "1000 1800 1000 1000 1\n1000 1000 1800 1800 1\n")
+      << run.err;
+}
+
 TEST(ProgramVector, BadDisplayFilesAreToldByLineOrAddress) {
   const std::vector<std::pair<std::string, std::string>> files{
       {"move 1 2\nfly 3 4\n", "line 2"},
