@@ -1,6 +1,7 @@
 // A pen plotter: what its instructions leave set, and where its pen goes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <glm/vec2.hpp>
 #include <span>
