@@ -213,6 +213,25 @@ TEST(ProgramVector, DisplayFilesThereAndBack) {
   EXPECT_GT(lit_pixels(folder / "a.png"), 400);
 }
 
+TEST(ProgramVector, ARefreshBeginsWithTheBeamAtItsPlace) {
+  TemporaryFolder folder;
+  // A line from the corner; the list ends far from it.
+  write_text(folder / "a.hpgl", "IN;SP1;PA0,0;PD4000,0;PU4000,3000;PD3999,3000");
+  const RunResult run = run_kinescope({"vector", "a.hpgl", "--size", "320x240", "-o", "a.png"},
+                                      {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const Image<Srgb8> picture = read_image_file(folder / "a.png");
+  int along = 0, between = 0;
+  for (int x = 0; x < 320; ++x) {
+    int most = 0;
+    for (int y = 225; y < 240; ++y) most = std::max<int>(most, picture.at(x, y).g);
+    along += most > 100;
+    for (int y = 20; y < 220; ++y) between += picture.at(x, y).g > 20;
+  }
+  EXPECT_GT(along, 300);
+  EXPECT_EQ(between, 0);
+}
+
 /// What is indented in docs/vector.md from one word to another.
 std::string list_of_docs(const std::string& beginning, const std::string& end) {
   const std::string text = read_text(KINESCOPE_SOURCE_DIR "/docs/vector.md");
