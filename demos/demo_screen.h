@@ -24,7 +24,8 @@ class DemoScreen : public Screen {
   const Image<Srgb8>& frame() const override { return frame_; }
   Seconds tick_length() const override { return player_.demo().refresh().period(); }
   bool idle() const override;
-  bool typing() const override { return player_.demo().typing(); }
+  /// Paused, nobody would take what is typed.
+  bool typing() const override { return player_.demo().typing() && !transport_.paused(); }
   bool done() const override { return false; }
 
   const Player& player() const { return player_; }

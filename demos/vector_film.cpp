@@ -1,6 +1,7 @@
 #include "demos/vector_film.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "demos/display_file_input.h"
@@ -39,6 +40,7 @@ class Refreshed {
   Refreshed(const VectorDrawing& drawing, Size size)
       : machine_(machine_for(drawing)), tube_(machine_, size.width, size.height) {
     period_ = draw_strokes_of(beam_strokes(drawing), machine_, Seconds(0), moves_);
+    go_home();
     period_ = std::max(period_, kSixtieth);
   }
   Seconds period() const { return period_; }
@@ -68,6 +70,20 @@ class Refreshed {
   }
 
  private:
+  /// To the corner where each refresh begins: a beam that is still on its way would smear the first
+  /// stroke.
+  void go_home() {
+    if (moves_.empty()) return;
+    BeamMove home = moves_.back();
+    home.x0 = std::exchange(home.x1, 0), home.y0 = std::exchange(home.y1, 0);
+    const double clocks =
+        static_cast<double>(machine_.clocks("move", std::hypot(home.x0, home.y0)));
+    home.begin = period_;
+    home.end = period_ += Seconds(clocks / machine_.clock_hz);
+    home.intensity = 0;
+    moves_.push_back(home);
+  }
+
   void add(const Image<LinearRgb>& light) {
     if (sum_.width() == 0) {
       sum_ = light;

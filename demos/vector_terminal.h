@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "display/vector/input/drawing.h"
@@ -15,28 +18,42 @@ namespace kinescope {
 /// What its screen shows: only what came after the last erasure is kept.
 class VectorTerminal {
  public:
-  /// @param kind Tektronix or HP-GL; none: by what comes first
-  explicit VectorTerminal(std::optional<VectorKind> kind) : kind_(kind) {}
+  /// Takes the page as it stood when a program asked for a copy of it.
+  using Copier = std::function<void(const VectorDrawing& page)>;
+
+  /// @param kind Tektronix, or what is read as a whole (HP-GL, SVG, WAV); none: by what comes
+  /// first, and by what comes first after all who had it open have left
+  explicit VectorTerminal(std::optional<VectorKind> kind) : asked_(kind), kind_(kind) {}
 
   const std::string& name() const { return device_.name(); }
   /// Takes what has arrived, waiting at most that long, and answers it. @return whether the screen
   /// has changed
-  bool poll(int milliseconds);
+  bool poll(int milliseconds, const Copier& copier);
   /// A key, with the crosshair at a place in device units.
   void press(char key, int x, int y);
+  /// The key PAGE; of a plotter: a new sheet.
+  void page();
 
   bool finished() const { return device_.finished(); }
-  bool crosshair_shown() const { return reader_.crosshair_shown(); }
+  /// Whether it is a Tektronix terminal, whose screen stores.
+  bool stores() const { return kind_.value_or(VectorKind::kTek) == VectorKind::kTek; }
+  bool crosshair_shown() const { return stores() && reader_.crosshair_shown(); }
   const VectorDrawing& drawing() const { return drawing_; }
+  /// Of a terminal that stores: what the last change brought, with its events.
+  const VectorDrawing& news() const { return news_; }
 
  private:
-  void plot();
+  void recognise(std::span<const std::uint8_t> bytes);
+  void draw(std::span<const std::uint8_t> bytes, const Copier& copier);
+  void copy(const Copier& copier) const;
+  void read_whole();
 
   PseudoTerminal device_;
-  std::optional<VectorKind> kind_;
+  std::optional<VectorKind> asked_, kind_;
   TekReader reader_;
-  VectorDrawing drawing_;
-  std::vector<std::uint8_t> bytes_;  ///< new ones; of a plot, all
+  VectorDrawing drawing_, news_;
+  std::vector<std::uint8_t> whole_;  ///< of what is read as a whole: all its bytes
+  bool left_ = false;                ///< by all who had it open
 };
 
 }  // namespace kinescope

@@ -77,6 +77,19 @@ void print_figures(const Options& options, const std::vector<VectorDrawing>& all
   print_result(json.end_object().text());
 }
 
+bool asks_for_print(const Options& options) {
+  return options.vector.segments || options.vector.texts || options.common.json;
+}
+
+/// What was asked for. @return the pages
+std::vector<VectorDrawing> print_asked(const Options& options, VectorDrawing drawing) {
+  if (options.vector.segments) print_segments(drawing);
+  if (options.vector.texts) print_texts(drawing);
+  std::vector<VectorDrawing> all = pages(std::move(drawing));
+  if (options.common.json) print_figures(options, all);
+  return all;
+}
+
 /// What the screen shows at the end, or the page that was asked for.
 VectorDrawing shown_page(const Options& options, std::vector<VectorDrawing> all,
                          const std::string& name) {
@@ -90,6 +103,8 @@ VectorDrawing shown_page(const Options& options, std::vector<VectorDrawing> all,
   }
   return std::move(all[wanted]);
 }
+
+Size picture_size(const Options& options) { return options.picture.size.value_or(Size{1280, 960}); }
 
 bool wants_svg(const Options& options, const std::string& output) {
   if (!options.picture.format.empty()) return options.picture.format == "svg";
@@ -117,19 +132,32 @@ void write_hard_copy(const Options& options, const Shown& shown, const std::stri
     throw Error(ErrorKind::kUsage, "only what a storage tube keeps can be copied", "--hard-copy");
   }
   Workers workers(options.common.threads);
-  const VectorShow show = shown.show(options.picture.size.value_or(Size{1280, 960}), workers);
+  const VectorShow show = shown.show(picture_size(options), workers);
   show.expose(show.settled, workers);
   write_png(output, show.hard_copy());
 }
 
-void write_picture(const Options& options, const Shown& shown, const std::string& output) {
+/// Before anything is drawn. @return what a picture that is no SVG is written as
+FilmFormat check_picture(const Options& options, const std::string& output) {
   check_writable(output);
+  const bool svg = wants_svg(options, output), copy = options.vector.hard_copy;
+  if (svg && !copy) return FilmFormat::kPng;
+  const bool several = options.picture.frames.has_value();
+  const FilmFormat format =
+      svg ? FilmFormat::kRaw : film_format(output, options.picture.format, several);
+  if (copy && (several || format != FilmFormat::kPng)) {
+    throw Error(ErrorKind::kUsage, "a copy is one picture, a PNG", "--hard-copy");
+  }
+  check_output(options, format);
+  return format;
+}
+
+void write_picture(const Options& options, const Shown& shown, const std::string& output) {
+  const FilmFormat format = check_picture(options, output);
   if (options.vector.hard_copy) return write_hard_copy(options, shown, output);
   if (wants_svg(options, output)) return write_svg(output, shown.page);
   const bool several = options.picture.frames.has_value();
-  const FilmFormat format = film_format(output, options.picture.format, several);
-  check_output(options, format);
-  const Size size = options.picture.size.value_or(Size{1280, 960});
+  const Size size = picture_size(options);
   check_memory(size, 64.0 * size.width * size.height +
                          static_cast<double>(shown.page.segments.size()) * 2 * sizeof(BeamMove));
   Workers workers(options.common.threads);
@@ -150,7 +178,7 @@ bool wants_window(const Options& options) {
 }
 
 int open_window(const Options& options, const DemoInfo& view) {
-  const Size size = options.picture.size.value_or(Size{1280, 960});
+  const Size size = picture_size(options);
   return run_demo_window(view,
                          {size.width, size.height, options.common.seed, options.common.threads});
 }
@@ -165,19 +193,20 @@ void finish(const Options& options, const Shown& shown, const std::string& stem)
 
 /// Prints the terminal's name at once; then draws live, or until its last user has left.
 int run_terminal(const Options& options) {
-  if (!options.vector.input.empty()) {
-    throw Error(ErrorKind::kUsage, "is an input of its own; leave out " + options.vector.input,
-                "--pty");
-  }
   const auto terminal = std::make_shared<VectorTerminal>(options.vector.kind);
+  if (!options.picture.output.empty()) check_picture(options, options.picture.output);
   print_result(terminal->name() + "\n");
   if (wants_window(options)) return open_window(options, vector_view(terminal));
-  while (!terminal->finished()) terminal->poll(20);
-  if (options.vector.segments) print_segments(terminal->drawing());
-  if (options.vector.texts) print_texts(terminal->drawing());
+  const auto copier = [&](const VectorDrawing& page) {
+    Workers workers(options.common.threads);
+    copy_to_paper(page, picture_size(options), workers);
+  };
+  while (!terminal->finished()) terminal->poll(20, copier);
+  print_asked(options, terminal->drawing());
+  if (options.picture.output.empty() && asks_for_print(options)) return 0;
   Shown shown;
   shown.page = terminal->drawing();
-  shown.stored = options.vector.kind != VectorKind::kHpgl;
+  shown.stored = terminal->stores();
   finish(options, shown, "vector");
   return 0;
 }
@@ -264,6 +293,17 @@ int translate(const Options& options) {
   return 0;
 }
 
+void check_one_task(const VectorRequest& request) {
+  std::vector<std::string> tasks;
+  if (!request.input.empty()) tasks.push_back(request.input);
+  if (!request.assemble.empty()) tasks.emplace_back("--assemble");
+  if (!request.disassemble.empty()) tasks.emplace_back("--disassemble");
+  if (request.pty) tasks.emplace_back("--pty");
+  if (tasks.size() < 2) return;
+  throw Error(ErrorKind::kUsage, "is an input of its own; leave out " + tasks.front(),
+              tasks.back());
+}
+
 /// What is to be shown; figures that were asked for are printed.
 Shown read_input(const Options& options) {
   const VectorRequest& request = options.vector;
@@ -287,12 +327,8 @@ Shown read_input(const Options& options) {
     drawing = read_vectors(input, request.kind, &warnings);
     print_warnings(warnings, options.common.quiet);
   }
-  if (request.segments) print_segments(drawing);
-  if (request.texts) print_texts(drawing);
-  std::vector<VectorDrawing> all = pages(std::move(drawing));
-  if (options.common.json) print_figures(options, all);
-  const bool printed = request.segments || request.texts || options.common.json;
-  if (printed && options.picture.output.empty()) return shown;
+  std::vector<VectorDrawing> all = print_asked(options, std::move(drawing));
+  if (options.picture.output.empty() && asks_for_print(options)) return shown;
   shown.page = shown_page(options, std::move(all), input.name());
   return shown;
 }
@@ -302,6 +338,7 @@ Shown read_input(const Options& options) {
 int run_vector(const Options& options) {
   const VectorRequest& request = options.vector;
   if (request.list_machines) return list_machines(options);
+  check_one_task(request);
   if (!request.assemble.empty() || !request.disassemble.empty()) return translate(options);
   if (request.pty) return run_terminal(options);
   if (request.input.empty()) {
@@ -311,8 +348,7 @@ int run_vector(const Options& options) {
                 "standard input, or --pty");
   }
   const Shown shown = read_input(options);
-  const bool printed = request.segments || request.texts || options.common.json;
-  if (options.picture.output.empty() && printed) return 0;
+  if (options.picture.output.empty() && asks_for_print(options)) return 0;
   if (wants_window(options)) {
     return open_window(options, vector_view([shown](Size size, Workers& workers) {
                          return shown.show(size, workers);

@@ -99,11 +99,12 @@ TEST(ProgramVector, PagesAndFigures) {
   }
 }
 
-TEST(ProgramVector, ATerminalThatGnuplotDrawsOn) {
-  TemporaryFolder folder;
+/// What `kinescope vector --pty` makes of a line of shell whose output goes to its terminal.
+RunResult draw_on_terminal(const TemporaryFolder& folder, const std::string& line) {
   RunResult run;
+  std::filesystem::remove(folder / "name");
   std::thread program([&] {
-    run = run_kinescope({"vector", "--pty", "--headless", "-o", "pty.png"},
+    run = run_kinescope({"vector", "--pty", "--headless", "--size", "640x480", "-o", "pty.png"},
                         {.folder = folder.path(), .out_path = folder / "name"});
   });
   std::string name;
@@ -112,13 +113,39 @@ TEST(ProgramVector, ATerminalThatGnuplotDrawsOn) {
     if (std::filesystem::exists(folder / "name")) name = read_text(folder / "name");
   }
   EXPECT_THAT(name, StartsWith("/dev/pts/"));
-  name.pop_back();
-  const RunResult plot =
-      run_shell("gnuplot -e 'set terminal tek40xx; set output \"" + name + "\"; plot sin(x)'");
-  EXPECT_EQ(plot.exit_code, 0) << plot.err;
+  const RunResult drawn = run_shell("{ " + line + "; } > " + name);
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
   program.join();
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_GT(lit_pixels(folder / "pty.png"), 3000);
+  return run;
+}
+
+TEST(ProgramVector, ATerminalThatGnuplotDrawsOn) {
+  TemporaryFolder folder;
+  draw_on_terminal(folder, "gnuplot -e 'set terminal tek40xx; plot sin(x)'");
+  EXPECT_GT(lit_pixels(folder / "pty.png"), 1500);
+}
+
+TEST(ProgramVector, ATerminalCopiesWhatItShowsWhenAProgramAsks) {
+  TemporaryFolder folder;
+  // A line, copied, and erased: two bytes each in octal.
+  const RunResult run =
+      draw_on_terminal(folder, R"(printf '\035!`!@>`>@\033\027\033\014\035!`!@!`!@')");
+  EXPECT_EQ(run.err, "kinescope: wrote kinescope-hard-copy-0001.png\n");
+  const Image<Srgb8> paper = read_image_file(folder / "kinescope-hard-copy-0001.png");
+  int dark = 0;
+  for (const Srgb8 c : paper.pixels()) dark += c.g < 128;
+  EXPECT_GT(dark, 400);
+  EXPECT_LT(lit_pixels(folder / "pty.png"), 100) << "a point";
+}
+
+TEST(ProgramVector, ATerminalTellsAPlotterByWhatComes) {
+  TemporaryFolder folder;
+  draw_on_terminal(folder, "printf 'IN;PC2,255,0,0;SP2;PA0,0;PD4000,0,4000,3000;'");
+  int red = 0;
+  const Image<Srgb8> picture = read_image_file(folder / "pty.png");
+  for (const Srgb8 c : picture.pixels()) red += c.r > 100 && c.g < 60;
+  EXPECT_GT(red, 400) << "no storage tube is red";
 }
 
 TEST(ProgramVector, BadInputIsOneClearLine) {
@@ -153,6 +180,11 @@ TEST(ProgramVector, BadUsage) {
       {{"vector", "-", "-o", "a.gif"}, "a.gif"},
       {{"vector", "-", "--shutter", "1", "-o", "a.png"}, "--shutter"},
       {{"vector", "-", "--machine", "pdp-99"}, "generic"},
+      {{"vector", "-", "--hard-copy", "-o", "a.svg"}, "--hard-copy"},
+      {{"vector", "-", "--hard-copy", "--frames", "2", "-o", "a_#.png"}, "--hard-copy"},
+      {{"vector", "--pty", "--headless", "-o", "a.gif"}, "a.gif"},
+      {{"vector", "a", "--assemble", "b"}, "--assemble: "},
+      {{"vector", "--assemble", "a", "--disassemble", "b"}, "--disassemble"},
   };
   for (const auto& [arguments, hint] : lines) {
     const RunResult run = run_kinescope(arguments, {.input = "IN;PA0,0;PD1,1"});
@@ -179,6 +211,43 @@ TEST(ProgramVector, DisplayFilesThereAndBack) {
   EXPECT_EQ(read_text(folder / "a.bin").size(), 16u);
   EXPECT_THAT(read_text(folder / "b.txt"), HasSubstr("draw 2000 200"));
   EXPECT_GT(lit_pixels(folder / "a.png"), 400);
+}
+
+TEST(ProgramVector, ARefreshBeginsWithTheBeamAtItsPlace) {
+  TemporaryFolder folder;
+  // A line from the corner; the list ends far from it.
+  write_text(folder / "a.hpgl", "IN;SP1;PA0,0;PD4000,0;PU4000,3000;PD3999,3000");
+  const RunResult run = run_kinescope({"vector", "a.hpgl", "--size", "320x240", "-o", "a.png"},
+                                      {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const Image<Srgb8> picture = read_image_file(folder / "a.png");
+  int along = 0, between = 0;
+  for (int x = 0; x < 320; ++x) {
+    int most = 0;
+    for (int y = 225; y < 240; ++y) most = std::max<int>(most, picture.at(x, y).g);
+    along += most > 100;
+    for (int y = 20; y < 220; ++y) between += picture.at(x, y).g > 20;
+  }
+  EXPECT_GT(along, 300);
+  EXPECT_EQ(between, 0);
+}
+
+/// What is indented in docs/vector.md from one word to another.
+std::string list_of_docs(const std::string& beginning, const std::string& end) {
+  const std::string text = read_text(KINESCOPE_SOURCE_DIR "/docs/vector.md");
+  const std::size_t from = text.find(beginning), to = text.find(end, from);
+  return from == std::string::npos ? "" : text.substr(from, to - from);
+}
+
+TEST(ProgramVector, TheListOfTheDocsDrawsWhatItSays) {
+  TemporaryFolder folder;
+  write_text(folder / "list.txt", list_of_docs("    ; list.txt", "    kinescope"));
+  const RunResult run =
+      run_kinescope({"vector", "list.txt", "--segments"}, {.folder = folder.path()});
+  EXPECT_EQ(run.out,
+            "1000 1000 1800 1000 1\n1800 1000 1800 1800 1\n1800 1800 1000 1800 1\n"
+            "1000 1800 1000 1000 1\n1000 1000 1800 1800 1\n")
+      << run.err;
 }
 
 TEST(ProgramVector, BadDisplayFilesAreToldByLineOrAddress) {

@@ -1,7 +1,12 @@
 // The real program in a real window, on an X server without a screen.
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <thread>
 
+#include "raster/image/codecs.h"
 #include "tests/sanitized.h"
 #include "window_testing.h"
 
@@ -85,6 +90,91 @@ TEST_F(Window, ShowsThePlotOfVector) {
     return lit_in_row(240) >= 2 && lit_in_row(240) < 20 &&
            std::max(lit_in_row(12), lit_in_row(13)) > 500;
   })) << "no frame";
+}
+
+/// A pseudo-terminal that a program printed the name of.
+class Line {
+ public:
+  explicit Line(const std::string& name) : fd_(open(name.c_str(), O_RDWR | O_NOCTTY)) {}
+  ~Line() { close(fd_); }
+  bool send(const std::string& bytes) const {
+    return write(fd_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+  }
+  std::string receive(std::size_t count) const {
+    std::string bytes;
+    pollfd ready{fd_, POLLIN, 0};
+    char c = 0;
+    while (bytes.size() < count && poll(&ready, 1, 10'000) > 0 && read(fd_, &c, 1) == 1) bytes += c;
+    return bytes;
+  }
+
+ private:
+  int fd_;
+};
+
+TEST_F(Window, ATerminalShowsPagesCopiesAndACrosshair) {
+  start_line(
+      {"bash", "-c", "exec " KINESCOPE_BIN_DIR "/kinescope vector --pty --size 640x480 > name"});
+  std::string name;
+  ASSERT_TRUE(until([&](const auto& shot) {
+    name = test::read_text(folder_ / "name");
+    return name.ends_with('\n') && mean_code(shot) > 8;
+  }));
+  name.pop_back();
+  // A line across the middle, then a page that has as many strokes: a line down the middle.
+  const auto lit = [&](int x, int y) {
+    int most = 0;
+    for (int i = -4; i <= 4; ++i) {
+      most = std::max({most, int{shot_.at(x + i, y).g}, int{shot_.at(x, y + i).g}});
+    }
+    return most > 130;
+  };
+  std::optional<Line> line(name);
+  ASSERT_TRUE(line->send("\x1d,f @,f?_"));
+  ASSERT_TRUE(until([&](const auto&) { return lit(160, 240) && lit(500, 240); }));
+  ASSERT_TRUE(line->send("\x1b\x0c\x1d `0@8`0@"));
+  ASSERT_TRUE(until([&](const auto&) { return lit(320, 100) && !lit(160, 240); }));
+  EXPECT_FALSE(lit(500, 240));
+
+  const std::string asked = folder_ / "kinescope-hard-copy-0001.png",
+                    pressed = folder_ / "kinescope-hard-copy-0002.png";
+  const auto written = [&](const std::string& file) {
+    return until([&](const auto&) { return std::filesystem::exists(file); });
+  };
+  ASSERT_TRUE(line->send("\x1b\x17"));
+  ASSERT_TRUE(written(asked));
+  key("h");
+  ASSERT_TRUE(written(pressed));
+  const Image<Srgb8> paper = read_image_file(asked);
+  EXPECT_LT(paper.at(320, 100).g, 100);
+  EXPECT_GT(paper.at(160, 240).g, 200);
+  EXPECT_EQ(changed(paper, read_image_file(pressed)), 0);
+
+  // A key belongs to the crosshair: s saves nothing, Escape does not leave.
+  ASSERT_TRUE(line->send("\x1b\x1a"));
+  ASSERT_TRUE(until([&](const auto& shot) { return mean_code(shot) > 8; }));
+  for (const char* const sent : {"s", "Escape"}) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    key(sent);
+    const std::string answer = line->receive(6);
+    ASSERT_EQ(answer.size(), 6u);
+    EXPECT_EQ(answer[0], *sent == 's' ? 's' : '\x1b');
+    ASSERT_TRUE(line->send("\x1b\x1a"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "kinescope-vector-0001.png"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  key("Return");
+  EXPECT_EQ(line->receive(6).substr(0, 1), "\r");
+  key("p");
+  EXPECT_TRUE(until([&](const auto&) { return !lit(320, 100); }));
+
+  // The next user is a plotter's.
+  line.reset();
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  ASSERT_TRUE(Line(name).send("IN;SP1;PA0,0;PD4000,0,4000,3000,0,3000,0,0;"));
+  EXPECT_TRUE(until([&](const auto&) { return lit(12, 240) && lit(320, 12); }));
+  key("Escape");
+  EXPECT_EQ(program_->wait(kPatience), 0) << test::read_text(folder_ / "said.txt");
 }
 
 TEST_F(Window, ShowsThePictureOfDisplay) {

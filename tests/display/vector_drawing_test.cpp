@@ -57,6 +57,21 @@ TEST(BeamStrokes, BrokenLinesGoOnRoundCorners) {
   }
 }
 
+TEST(BeamStrokes, TextsKeepTheirPen) {
+  const VectorPen passing{.write_through = true};
+  VectorDrawing drawing;
+  drawing.texts.push_back({.text = "I", .advance = {50, 0}, .up = {0, 50}});
+  drawing.use(passing);
+  drawing.line({0, 0}, {9, 9});
+  drawing.texts.push_back({.text = "I", .advance = {50, 0}, .up = {0, 50}, .segments = 1});
+  drawing.use({});
+  std::vector<bool> through;
+  for_each_run(beam_strokes(drawing), [&](const VectorPen& pen, std::size_t, std::size_t) {
+    through.push_back(pen.write_through);
+  });
+  EXPECT_EQ(through, (std::vector<bool>{false, true, false}));
+}
+
 TEST(StrokeFont, LettersStandOnTheirLine) {
   for (const char c : std::string_view("AEHZ0")) {
     float least = 9, most = -9;

@@ -131,6 +131,27 @@ TEST(HpglReader, PensHaveIntensitiesColoursAndStyles) {
   EXPECT_EQ(read("PC1,255,0,0;SP1;PA0,0;PD1,0").pens[0].pen.colour, (Srgb8{255, 0, 0}));
 }
 
+TEST(HpglReader, LabelsAreOfThePenThatDrewThem) {
+  const VectorDrawing strokes = beam_strokes(
+      read("PC1,255,0,0;PC2,0,255,0;SP1;PA0,0;LBI\x03SP2;LBI\x03PD9,9;PU;SP1;LBI\x03SP2"));
+  std::vector<Srgb8> colours;
+  for_each_run(strokes, [&](const VectorPen& pen, std::size_t, std::size_t) {
+    colours.push_back(pen.colour);
+  });
+  const Srgb8 red{255, 0, 0}, green{0, 255, 0};
+  EXPECT_EQ(colours, (std::vector<Srgb8>{red, green, red}));
+  EXPECT_FLOAT_EQ(read("SP2;LBa\x03").texts[0].intensity, 0.92f);
+}
+
+TEST(HpglReader, WhatNoPlotterReachesIsNotDrawn) {
+  const std::string huge = "1" + std::string(60, '4');
+  for (const std::string& shape : {"EW" + huge + ",0,90;", "CI" + huge + ";"}) {
+    for (const VectorSegment& s : read("PA0,0;PD1,1;" + shape).segments) {
+      EXPECT_LT(std::abs(s.x2) + std::abs(s.y2), 1e10f) << shape;
+    }
+  }
+}
+
 TEST(HpglReader, APageBeginsAnew) {
   const auto all = pages(read("IP0,0,100,100;SC0,1,0,1;PA0,0;PD1,1;PG;PA0,0;PD1,1;PG;"));
   ASSERT_EQ(all.size(), 2u);

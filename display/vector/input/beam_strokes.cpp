@@ -81,12 +81,9 @@ class Strokes {
     out_.segments.reserve(drawing.segments.size());
   }
   void run(const VectorPen& pen, std::size_t first, std::size_t last) {
-    pen_ = pen;
-    pen_.style = LineStyle::kSolid;
     dasher_.start(pen.style);
-    out_.use(pen_);
     for (std::size_t i = first; i < last; ++i) {
-      texts_before(i);
+      if (texts_before(i) || i == first) use(pen);
       const VectorSegment& s = in_.segments[i];
       if (!finite(s)) continue;
       if (pen.style == LineStyle::kSolid) {
@@ -102,20 +99,27 @@ class Strokes {
   }
 
  private:
-  /// Texts drawn before segment i.
-  void texts_before(std::size_t i) {
+  /// Texts drawn before segment i. @return whether there were any
+  bool texts_before(std::size_t i) {
+    const std::size_t drawn = text_;
     for (; text_ < in_.texts.size() && in_.texts[text_].segments <= i; ++text_) {
       const DrawnText& text = in_.texts[text_];
+      use(text.pen);
       for_each_text_stroke(text, [&](glm::vec2 from, glm::vec2 to) {
         const VectorSegment s{from.x, from.y, to.x, to.y, text.intensity};
         if (finite(s)) out_.segments.push_back(s);
       });
     }
+    return text_ > drawn;
+  }
+  /// Strokes of their own are not broken any more.
+  void use(VectorPen pen) {
+    pen.style = LineStyle::kSolid;
+    out_.use(pen);
   }
 
   const VectorDrawing& in_;
   VectorDrawing out_;
-  VectorPen pen_;
   Dasher dasher_;
   std::size_t text_ = 0;
 };

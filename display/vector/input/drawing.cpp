@@ -4,11 +4,9 @@
 #include <utility>
 
 namespace kinescope {
-namespace {
 
-/// Segments [s0, s1) and texts [t0, t1), with the pens that drew them.
-VectorDrawing part(const VectorDrawing& whole, std::size_t s0, std::size_t s1, std::size_t t0,
-                   std::size_t t1) {
+VectorDrawing part_of(const VectorDrawing& whole, std::size_t s0, std::size_t s1, std::size_t t0,
+                      std::size_t t1) {
   const auto at = [](auto& list, std::size_t i) {
     return list.begin() + static_cast<std::ptrdiff_t>(i);
   };
@@ -26,8 +24,6 @@ VectorDrawing part(const VectorDrawing& whole, std::size_t s0, std::size_t s1, s
   }
   return out;
 }
-
-}  // namespace
 
 void VectorDrawing::use(const VectorPen& pen) {
   if (pens.empty() ? pen == VectorPen{} : pens.back().pen == pen) return;
@@ -59,7 +55,7 @@ std::vector<VectorDrawing> pages(VectorDrawing drawing) {
   }
   std::size_t segments = 0, texts = 0;
   const auto add = [&](std::size_t s1, std::size_t t1) {
-    if (s1 > segments || t1 > texts) out.push_back(part(drawing, segments, s1, texts, t1));
+    if (s1 > segments || t1 > texts) out.push_back(part_of(drawing, segments, s1, texts, t1));
     segments = s1;
     texts = t1;
   };

@@ -32,6 +32,7 @@ struct DrawnText {
   glm::vec2 up{0};           ///< height of a capital, and which way up it is
   float intensity = 1;       ///< of its strokes
   std::size_t segments = 0;  ///< drawn before it
+  VectorPen pen = {};        ///< that draws it, whatever its style in whole lines
 };
 
 /// What happens to the picture as a whole.
@@ -76,6 +77,10 @@ void for_each_run(const VectorDrawing& drawing, Sink&& sink) {
   }
   if (drawing.segments.size() > first) sink(pen, first, drawing.segments.size());
 }
+
+/// Segments [s0, s1) and texts [t0, t1), with the pens that drew them; without events.
+VectorDrawing part_of(const VectorDrawing& whole, std::size_t s0, std::size_t s1, std::size_t t0,
+                      std::size_t t1);
 
 /// The pages of a drawing: what lies between erasures and holds anything.
 std::vector<VectorDrawing> pages(VectorDrawing drawing);

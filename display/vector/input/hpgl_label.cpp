@@ -172,6 +172,8 @@ class Label {
     text.place = turned(run_start_ + shift_);
     text.advance = turned(cell_.space * cell_.right);
     text.up = turned(cell_.height * (cell_.up + plotter_.slant * cell_.right));
+    text.intensity = plotter_.pen_intensity();
+    text.pen = plotter_.pen_in_hand();
     text.segments = plotter_.out->segments.size();
     if (plotter_.pen_number == 0 || plotter_.in_polygon) return;
     plotter_.out->texts.push_back(std::move(text));

@@ -48,10 +48,14 @@ void HpglPlotter::stroke(glm::dvec2 from, glm::dvec2 to) {
     if (!part) return;
     std::tie(from, to) = *part;
   }
-  // Pens have no currents: each of the carousel's eight is drawn a little dimmer than the last.
-  const float intensity =
-      has_default_pens ? 1 - 0.08f * static_cast<float>((pen_number - 1) % 8) : 1;
-  out->line(turned(from), turned(to), intensity);
+  const auto far = [](glm::dvec2 p) { return !(std::max(std::abs(p.x), std::abs(p.y)) < 1e9); };
+  if (far(from) || far(to)) return;  // no plotter reaches there
+  out->line(turned(from), turned(to), pen_intensity());
+}
+
+/// Pens have no currents: each of the carousel's eight is drawn a little dimmer than the last.
+float HpglPlotter::pen_intensity() const {
+  return has_default_pens ? 1 - 0.08f * static_cast<float>((pen_number - 1) % 8) : 1;
 }
 
 void HpglPlotter::go(glm::dvec2 to) {
@@ -76,9 +80,7 @@ void HpglPlotter::set_down(bool is_down) {
   down = is_down;
 }
 
-void HpglPlotter::use_pen() {
-  out->use(pens[static_cast<std::size_t>(std::clamp(pen_number, 0, 255))]);
-}
+void HpglPlotter::use_pen() { out->use(pen_in_hand()); }
 
 void HpglPlotter::new_contour() {
   polygon.emplace_back();

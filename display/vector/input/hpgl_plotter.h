@@ -1,6 +1,7 @@
 // A pen plotter: what its instructions leave set, and where its pen goes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <glm/vec2.hpp>
 #include <span>
@@ -80,6 +81,10 @@ struct HpglPlotter {
   void stroke(glm::dvec2 from, glm::dvec2 to);
   void set_down(bool is_down);
   void use_pen();
+  const VectorPen& pen_in_hand() const {
+    return pens[static_cast<std::size_t>(std::clamp(pen_number, 0, 255))];
+  }
+  float pen_intensity() const;
   void new_contour();
 
   /// As RO turns the sheet.

@@ -128,13 +128,14 @@ class SvgReader {
     }
   }
 
+  /// Black ink is white light.
+  static Srgb8 light_of(Srgb8 ink) { return ink == Srgb8{0, 0, 0} ? Srgb8{255, 255, 255} : ink; }
+
   void draw(const Path& path, const Place& place, const SvgStyle& style) {
     const glm::mat3x2& device_from_user = place.device_from_user;
     if (!style.has_stroke && !style.has_fill) return;
     VectorPen pen;
-    pen.colour = style.has_stroke ? style.stroke : style.fill;
-    // Black ink is white light.
-    if (pen.colour == Srgb8{0, 0, 0}) pen.colour = {255, 255, 255};
+    pen.colour = light_of(style.has_stroke ? style.stroke : style.fill);
     if (style.has_stroke) pen.width = style.stroke_width * size_of(device_from_user);
     out_.use(pen);
     const float intensity =
@@ -176,6 +177,8 @@ class SvgReader {
     drawn.up = -0.7f * style.font_size * m[1];
     drawn.place = m * glm::vec3(first("x"), first("y"), 1) -
                   style.anchor * static_cast<float>(shown.size()) * drawn.advance;
+    drawn.intensity = style.opacity * (style.has_fill ? style.fill_opacity : style.stroke_opacity);
+    drawn.pen.colour = light_of(style.has_fill ? style.fill : style.stroke);
     drawn.segments = out_.segments.size();
     out_.texts.push_back(std::move(drawn));
   }

@@ -210,6 +210,7 @@ void TekReader::character(std::uint8_t byte) {
     text_.advance = glm::vec2(size.width, 0);
     text_.up = glm::vec2(0, kCapitalShare * static_cast<float>(size.height));
     text_.segments = out_->segments.size();
+    text_.pen = pen_;
   }
   if (byte != ' ' || !text_.text.empty()) text_.text += static_cast<char>(byte);
   beam_.x += size.width;
