@@ -244,6 +244,9 @@ void Screen::State::spread_tile(const Raster& of_gun, std::span<const Spread> li
             for (const Spread::Share& share : lights[i].to) {
               if (!share.plane || share.scale == 0) continue;
               add_scaled(n, share.scale, s.row[i].data(), share.plane->data() + at);
+              // The next row lies far away in memory: asked for ahead.
+              const float* const below = share.plane->data() + at + (y + 1 < height ? width : 0);
+              for (int ahead = 0; ahead < n; ahead += 16) __builtin_prefetch(below + ahead, 1);
             }
           }
         }

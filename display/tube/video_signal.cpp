@@ -40,13 +40,26 @@ bool in_sync_tip(const VideoMode& mode, double frame_clock) {
 void find_sync_tips(const VideoMode& mode, double first_clock, double step, int cells,
                     std::vector<CellSpan>& tips) {
   const double frame = static_cast<double>(mode.horizontal.total()) * mode.vertical.total();
+  const auto is_tip = [&](int cell) {
+    const double clock = first_clock + cell * step;
+    return in_sync_tip(mode, clock - std::floor(clock / frame) * frame);
+  };
   tips.clear();
-  double clock = first_clock - std::floor(first_clock / frame) * frame;
-  for (int cell = 0; cell < cells; ++cell, clock += step) {
-    if (clock >= frame) clock -= frame;
-    if (!in_sync_tip(mode, clock)) continue;
-    if (tips.empty() || tips.back().end != cell) tips.push_back({cell, cell});
-    tips.back().end = cell + 1;
+  bool low = is_tip(0);
+  if (low) tips.push_back({0, cells});
+  // Neither pulses nor the gaps between broad ones are shorter than a line's pulse.
+  const int stride = std::max(1, static_cast<int>(mode.horizontal.sync / step / 2));
+  for (int cell = 0; cell < cells - 1;) {
+    int before = cell, after = std::min(cell + stride, cells - 1);
+    cell = after;
+    if (is_tip(after) == low) continue;
+    while (after - before > 1) {
+      const int middle = (before + after) / 2;
+      (is_tip(middle) == low ? before : after) = middle;
+    }
+    if (low) tips.back().end = after;
+    if (!low) tips.push_back({after, cells});
+    low = !low;
   }
 }
 
