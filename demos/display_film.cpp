@@ -84,6 +84,7 @@ DisplayPlan plan_display_film(const Options& options, const PictureFeed::Facts& 
   plan.shot.every = plan.rate.period();
   plan.input_rate = request.input_rate.value_or(facts.rate.value_or(plan.refresh));
   plan.open_ended = !picture.frames && !facts.still;
+  plan.cut = picture.frames.has_value();
   plan.frames = picture.frames.value_or(FrameRange{});
   plan.start = request.start;
   if (plan.several()) check_shutter(plan.shot.shutter, plan.rate, picture.shutter.has_value());

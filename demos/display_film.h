@@ -24,6 +24,7 @@ struct DisplayPlan {
   Rate input_rate;  ///< at which the feed's pictures follow each other
   FrameRange frames;
   bool open_ended = false;  ///< the feed's end ends the film, not frames.last
+  bool cut = false;         ///< frames were asked for: a window, too, ends with the last
   Fit fit = Fit::kInside;
   Seconds start{0};
   bool several() const { return open_ended || frames.count() > 1; }

@@ -108,7 +108,20 @@ float FilmScreen::gain(Seconds exposure) const {
   return std::abs(gain - 1) < 1e-6 ? 1.0f : static_cast<float>(gain);
 }
 
+/// Whether the last of the frames that were asked for has been shown; then it stays.
+bool FilmScreen::is_over() {
+  if (!plan_.cut || !camera_) return false;
+  const Seconds end = plan_.start + (plan_.frames.last + 1.0) * plan_.rate.period();
+  const double before_s = static_cast<double>(first_refresh_) / plan_.refresh.hertz();
+  const Seconds half_a_picture = 0.5 * pace_.exposure * transport_.time_scale();
+  if (camera_->now() + Seconds(before_s) + half_a_picture < end) return false;
+  if (!transport_.paused()) transport_.answer("Space");
+  say(fmt::format("frame {}, the last of --frames", plan_.frames.last));
+  return true;
+}
+
 bool FilmScreen::expose() {
+  if (is_over()) return false;
   if (!feed_.at_hand(pictures_a_step_)) {
     ++ticks_waited_;
     owes_step_ = transport_.paused();

@@ -44,6 +44,7 @@ class FilmScreen : public Screen {
   bool move();
   bool step();
   bool expose();
+  bool is_over();
   void switch_on();
   void take_size();
   void save();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "display/tube/spread_kernels.h"
+#include "display/tube/video_signal.h"
 
 namespace kinescope {
 namespace {
@@ -23,9 +24,10 @@ double crossing(double before, double after, double level) {
 struct LightPen::Line {
   explicit Line(const Photodiode& dark) : diode(dark) {}
   Photodiode diode;
-  double clock = 0;              // now, from the beginning of the run
-  BeamTime origin;               // of the run
-  std::vector<GunDrive> drives;  // work space
+  double clock = 0;                     // now, from the beginning of the run
+  BeamTime origin;                      // of the run
+  std::vector<GunDrive> video, drives;  // work space
+  std::vector<CellSpan> tips;
   std::vector<float> voltage;
   std::array<std::array<std::vector<float>, 2>, 3> doses;  // [gun][basis]
 };
@@ -34,29 +36,36 @@ LightPen::LightPen(const TubeSettings& tube, const LightPenSettings& settings)
     : tube_(tube),
       settings_(settings),
       scan_(tube.mode),
+      free_(is_free(tube)),
+      sweep_(tube.sweep, tube.mode),
+      cell_clocks_(sweep_.video_clocks()),
       spot_(tube.spot),
-      gun_(tube.gun, spot_, tube.mode.pixel_clock_hz),
+      gun_(tube.gun, spot_, sweep_.clock_hz()),
       phosphor_(&find_phosphor(tube.phosphor)),
-      spot_in_view_(spot_, settings.view_mm),
+      view_{SpotInView(spot_, settings.view_mm), {}, settings.place, phosphor_->colour ? 3 : 1},
       dark_(phosphor_->layers, tube.mode.pixel_clock_hz, settings.rise, settings.coupling) {
+  if (phosphor_->colour) {
+    view_.mask =
+        PenMask(tube.mask, {view_.spot.seen(0, 0, 0).sigma_mm, view_.spot.seen(1, 0, 0).sigma_mm});
+  }
   look();
 }
 
 void LightPen::move(Place place) {
-  settings_.place = place;
+  settings_.place = view_.axis = place;
   look();
 }
 
 void LightPen::look() {
   constexpr double kStepsAWidth = 4;
   constexpr int kLeastSteps = 4, kMostSteps = 64;
-  const double widths = cell_mm(tube_, settings_.place) / spot_in_view_.least_mm();
-  steps_ = static_cast<int>(
+  const double widths = cell_mm(tube_, settings_.place) / view_.spot.least_mm();
+  view_.steps = static_cast<int>(
       std::clamp(std::ceil(kStepsAWidth * widths), double{kLeastSteps}, double{kMostSteps}));
-  step_ = dark_.span(1.0 / steps_);
+  step_ = dark_.span(cell_clocks_ / view_.steps);
   const double rise_clocks = settings_.rise.count() * tube_.mode.pixel_clock_hz;
-  lag_step_ = dark_.span(std::max(1.0 / steps_, rise_clocks / kLagSteps));
-  lines_ = lines_in_view(tube_, spot_in_view_, phosphor_->colour ? 3 : 1, settings_.place, steps_);
+  lag_step_ = dark_.span(std::max(step_.clocks, rise_clocks / kLagSteps));
+  if (!free_) lines_ = lines_in_view(tube_, view_, nullptr);
   std::sort(lines_.begin(), lines_.end(), [&](const LineInView& a, const LineInView& b) {
     return scan_.line_start_clocks(0, a.line) < scan_.line_start_clocks(0, b.line);
   });
@@ -66,8 +75,8 @@ void LightPen::look() {
 /// A lone white line passes below the axis.
 void LightPen::calibrate() {
   const double current = gun_.current(1), wide = spot_.wide_part(current);
-  const double speed_mm = cell_mm(tube_, settings_.place) / steps_;  // a step
-  const int reach = static_cast<int>(std::ceil(spot_in_view_.reach_mm() / speed_mm));
+  const double speed_mm = cell_mm(tube_, settings_.place) / view_.steps;  // a step
+  const int reach = static_cast<int>(std::ceil(view_.spot.reach_mm() / speed_mm));
   Photodiode diode = dark_;
   std::vector<double> rates(phosphor_->layers.size());
   std::vector<Sample> samples;  // times from the axis, clocks
@@ -79,9 +88,9 @@ void LightPen::calibrate() {
   for (int i = -reach; i < reach; ++i) {
     const double across_mm = (i + 0.5) * speed_mm;
     pass(step_,
-         (current - wide) * spot_in_view_.share(0, across_mm, 0) +
-             wide * spot_in_view_.share(1, across_mm, 0),
-         static_cast<double>(i + 1) / steps_);
+         (current - wide) * view_.spot.share(0, across_mm, 0) +
+             wide * view_.spot.share(1, across_mm, 0),
+         (i + 1) * step_.clocks);
   }
   for (int i = 0; i < kLagSteps * kLags; ++i) {
     pass(lag_step_, 0, samples.back().time.count() + lag_step_.clocks);
@@ -102,17 +111,28 @@ void LightPen::calibrate() {
   delay_ = Seconds(clock / tube_.mode.pixel_clock_hz);
 }
 
-void LightPen::read(const FrameBuffer& buffer, const LineInView& view, Line& line) const {
+/// @param first_clock of the video, in the middle of a free sweep's first cell
+void LightPen::read(const FrameBuffer& buffer, const LineInView& view, double first_clock,
+                    Line& line) const {
   constexpr std::array kGuns = {Signal::kRed, Signal::kGreen, Signal::kBlue};
-  const auto cells = static_cast<std::size_t>(tube_.mode.horizontal.active);
-  line.drives.assign(cells, GunDrive{});
-  if (view.line < buffer.height()) buffer.read_line(view.line, line.drives);
-  line.voltage.resize(cells + 2 * static_cast<std::size_t>(gun_.reach()) + kGroup);
+  const int cells = tube_.mode.horizontal.active;
+  const auto n = static_cast<std::size_t>(cells);
+  line.drives.assign(n, GunDrive{});
+  if (free_) {
+    line.video.resize(n);
+    read_video(scan_, buffer, first_clock, cell_clocks_, line.video, line.drives);
+    if (tube_.gun.sync > 0) {
+      find_sync_tips(tube_.mode, first_clock, cell_clocks_, cells, line.tips);
+    }
+  } else if (view.line < buffer.height()) {
+    buffer.read_line(view.line, line.drives);
+  }
+  line.voltage.resize(n + 2 * static_cast<std::size_t>(gun_.reach()) + kGroup);
   for (std::size_t gun = 0; gun < (phosphor_->colour ? 3 : 1); ++gun) {
     auto& doses = line.doses[gun];
-    for (auto& row : doses) row.resize(cells);
+    for (auto& row : doses) row.resize(n);
     gun_.doses(line.drives, phosphor_->colour ? kGuns[gun] : Signal::kGrey, line.voltage,
-               doses[0].data(), doses[1].data());
+               doses[0].data(), doses[1].data(), line.tips);
   }
 }
 
@@ -135,8 +155,8 @@ bool LightPen::run_dark(double until, Line& line, const Visit& visit) const {
 bool LightPen::run_line(const LineInView& view, Line& line, const Visit& visit) const {
   std::array<double, 8> rates{};
   const double start = line.clock;
-  for (int step = 0; step < view.cells * steps_; ++step) {
-    const auto cell = static_cast<std::size_t>(view.first + step / steps_);
+  for (int step = 0; step < view.cells * view_.steps; ++step) {
+    const auto cell = static_cast<std::size_t>(view.first + step / view_.steps);
     const auto at = static_cast<std::size_t>(step);
     for (std::size_t layer = 0; layer < phosphor_->layers.size(); ++layer) {
       const std::size_t gun = phosphor_->colour ? layer : 0;
@@ -146,7 +166,7 @@ bool LightPen::run_line(const LineInView& view, Line& line, const Visit& visit) 
           static_cast<double>(dose[0][cell] * share[0][at] + dose[1][cell] * share[1][at]);
     }
     line.diode.pass(step_, rates);
-    line.clock = start + static_cast<double>(step + 1) / steps_;
+    line.clock = start + (step + 1) * step_.clocks;
     const Seconds since(line.clock / tube_.mode.pixel_clock_hz);
     if (visit({scan_.clock().seconds(line.origin) + since, line.diode.signal() / unit_}))
       return true;
@@ -154,22 +174,66 @@ bool LightPen::run_line(const LineInView& view, Line& line, const Visit& visit) 
   return false;
 }
 
+/// A line in view, which begins at a clock of the run. @return whether no more is wanted
+bool LightPen::run_view(const FrameBuffer& buffer, const LineInView& view, double begins,
+                        double until, double first_clock, Line& line, const Visit& visit) const {
+  if (run_dark(std::min(begins, until), line, visit) || begins >= until) return true;
+  read(buffer, view, first_clock, line);
+  return run_line(view, line, visit);
+}
+
 void LightPen::run(const FrameBuffer& buffer, Exposure window, const Visit& visit) const {
+  return free_ ? run_free(buffer, window, visit) : run_locked(buffer, window, visit);
+}
+
+void LightPen::run_locked(const FrameBuffer& buffer, Exposure window, const Visit& visit) const {
   const BeamTime frame = scan_.frame_clocks(), end = scan_.clock().at(window.end);
   Line line(dark_);
   // What a frame before has left is there when the window opens.
   line.origin =
       BeamTime::from_raw((divide(scan_.clock().at(window.begin), frame).whole - 1) * frame.raw());
+  const double until = to_clocks(end - line.origin);
   for (BeamTime start = line.origin; start < end; start = start + frame) {
     for (const LineInView& view : lines_) {
       const BeamTime begins = start + scan_.line_start_clocks(0, view.line) + clocks(view.first);
-      if (run_dark(to_clocks(std::min(begins, end) - line.origin), line, visit)) return;
-      if (begins >= end) return;
-      read(buffer, view, line);
-      if (run_line(view, line, visit)) return;
+      if (run_view(buffer, view, to_clocks(begins - line.origin), until, 0, line, visit)) return;
     }
   }
-  run_dark(to_clocks(end - line.origin), line, visit);
+  run_dark(until, line, visit);
+}
+
+std::vector<LineInView> LightPen::field_in_view(const SweptField& field) const {
+  const int cells = tube_.mode.horizontal.active, lines = field_lines(tube_.mode);
+  const auto n = static_cast<std::size_t>(lines);
+  SweepWarp warp{std::vector<float>(n), std::vector<float>(n), std::vector<float>(n)};
+  for (int line = 0; line < lines; ++line) {
+    const double clock = to_clocks(field.first_line) + line * to_clocks(sweep_.line_period());
+    const SweepBend bend = sweep_bend(tube_.sweep, clock / sweep_.clock_hz(), 0);
+    bend_line(warp, field, line, bend, cells, lines);
+  }
+  return lines_in_view(tube_, view_, &warp);
+}
+
+void LightPen::run_free(const FrameBuffer& buffer, Exposure window, const Visit& visit) const {
+  SweptField field = sweep_.field_at(sweep_.of_video(scan_.clock().at(window.begin)));
+  field = sweep_.field(field.number - 1);
+  Line line(dark_);
+  const auto video_clock = [&](double swept) { return swept * cell_clocks_; };
+  const double origin = video_clock(to_clocks(field.begin));
+  line.origin = BeamTime::from_raw(std::llround(origin * static_cast<double>(BeamTime::kOne)));
+  const double until = to_clocks(scan_.clock().at(window.end) - line.origin);
+  for (; video_clock(to_clocks(field.begin)) < origin + until;
+       field = sweep_.field(field.number + 1)) {
+    for (const LineInView& view : field_in_view(field)) {
+      if (view.line >= field.lines) break;
+      const double at = to_clocks(field.first_line) + view.line * to_clocks(sweep_.line_period());
+      if (run_view(buffer, view, video_clock(at + view.first) - origin, until,
+                   video_clock(at + 0.5), line, visit)) {
+        return;
+      }
+    }
+  }
+  run_dark(until, line, visit);
 }
 
 std::optional<Seconds> LightPen::watch(const FrameBuffer& buffer, Exposure window) const {

@@ -11,6 +11,7 @@
 #include "display/pen_view.h"
 #include "display/photodiode.h"
 #include "display/raster_scan.h"
+#include "display/tube/free_sweep.h"
 #include "display/tube/gun.h"
 #include "display/tube/settings.h"
 
@@ -35,9 +36,11 @@ struct PixelAddress {
 /// to them, their phosphor glows as its law has it, and the sum of their light, weighted by how
 /// well the pen sees each, runs through photodiode and amplifier. The pen trips where that signal
 /// rises beyond the threshold. So it tells the first line that is bright enough within its view:
-/// with a wide view or a low threshold that is one above its axis, as in life. Not modelled: mask,
-/// halation and the light of the retrace; sweeps that run free, hum and sag; the room's light is
-/// steady, and held back. The picture is taken to have stood for a frame.
+/// with a wide view or a low threshold that is one above its axis, as in life. Before a mask it
+/// sees what comes through. Of a raster that runs free or hums it tells when light came, and what
+/// the video sent then: the address follows from the video's timing, not from where the sweep lies.
+/// Not modelled: halation, the light of the retrace, damper wires; how far the high voltage sags;
+/// the room's light is steady, and held back. The picture is taken to have stood for a frame.
 class LightPen {
  public:
   LightPen(const TubeSettings& tube, const LightPenSettings& settings);
@@ -45,6 +48,9 @@ class LightPen {
   const TubeSettings& tube() const { return tube_; }
   const RasterScan& scan() const { return scan_; }
   void move(Place place);
+  /// Free oscillators are as those are, whose knobs may have been turned while they ran; as they
+  /// stand they have run by themselves from time 0. @param sweep of the tube's own settings
+  void follow(const FreeSweep& sweep) { sweep_ = sweep; }
 
   /// When the pen first trips in the window. @param buffer scanned as it is
   std::optional<Seconds> watch(const FrameBuffer& buffer, Exposure window) const;
@@ -69,21 +75,29 @@ class LightPen {
   void look();
   void calibrate();
   void run(const FrameBuffer& buffer, Exposure window, const Visit& visit) const;
+  void run_locked(const FrameBuffer& buffer, Exposure window, const Visit& visit) const;
+  void run_free(const FrameBuffer& buffer, Exposure window, const Visit& visit) const;
+  std::vector<LineInView> field_in_view(const SweptField& field) const;
+  bool run_view(const FrameBuffer& buffer, const LineInView& view, double begins, double until,
+                double first_clock, Line& line, const Visit& visit) const;
   bool run_line(const LineInView& view, Line& line, const Visit& visit) const;
   bool run_dark(double until, Line& line, const Visit& visit) const;
-  void read(const FrameBuffer& buffer, const LineInView& view, Line& line) const;
+  void read(const FrameBuffer& buffer, const LineInView& view, double first_clock,
+            Line& line) const;
 
   TubeSettings tube_;
   LightPenSettings settings_;
   RasterScan scan_;
+  bool free_;
+  FreeSweep sweep_;
+  double cell_clocks_;  // of the video, that the sweep stays in a cell
   SpotModel spot_;
   Gun gun_;
   const PhosphorType* phosphor_;
-  SpotInView spot_in_view_;
+  PenView view_;
   Photodiode dark_;                   // before any light
-  int steps_ = 4;                     // of a cell
   Photodiode::Span step_, lag_step_;  // one of them; and one while the amplifier follows
-  std::vector<LineInView> lines_;     // in view, in order of time
+  std::vector<LineInView> lines_;     // in view of a locked raster, in order of time
   double unit_ = 1;                   // a lone white line's pulse
   Seconds delay_{0};
 };

@@ -4,9 +4,11 @@
 #include <array>
 #include <vector>
 
+#include "display/pen_mask.h"
 #include "display/tube/deflection.h"
 #include "display/tube/settings.h"
 #include "display/tube/spot.h"
+#include "display/tube/sweep_warp.h"
 
 namespace kinescope {
 
@@ -18,6 +20,11 @@ class SpotInView {
   SpotInView(const SpotModel& spot, double view_mm);
   /// @param basis 0 of the narrow, 1 of the wide part of the spot
   double share(std::size_t basis, double across_mm, double down_mm) const;
+  /// Where the light that the pen sees of it lies: its middle, from the axis, and its deviations.
+  struct Seen {
+    Place middle_mm, sigma_mm;
+  };
+  Seen seen(std::size_t basis, double across_mm, double down_mm) const;
   /// Beyond this distance the pen sees nothing.
   double reach_mm() const;
   /// The least of all widths, as a standard deviation.
@@ -39,9 +46,19 @@ struct LineInView {
   std::array<std::array<std::vector<float>, 2>, 3> share;
 };
 
-/// The lines in view, from the top. @param steps that a cell is cut into, in which the beam stands
-std::vector<LineInView> lines_in_view(const TubeSettings& tube, const SpotInView& spot, int guns,
-                                      Place axis, int steps);
+/// What the pen looks through and at.
+struct PenView {
+  SpotInView spot;
+  PenMask mask;
+  Place axis;
+  int guns = 1;
+  int steps = 4;  ///< that a cell is cut into, in which the beam stands
+};
+
+/// The lines in view, from the top.
+/// @param warp how one sweep of a free raster lies, whose lines they then are; or null
+std::vector<LineInView> lines_in_view(const TubeSettings& tube, const PenView& view,
+                                      const SweepWarp* warp);
 
 /// How far the beam moves along the glass near a place while a cell is written.
 double cell_mm(const TubeSettings& tube, Place place);

@@ -6,12 +6,6 @@
 namespace kinescope {
 namespace {
 
-/// Fly-back is half a period of the deflection coil ringing with its capacitor: from `from` to `to`
-/// along half a cosine, `done` in [0, 1].
-double fly_back(double from, double to, double done) {
-  return to + (from - to) * (0.5 + 0.5 * std::cos(std::numbers::pi * done));
-}
-
 /// Ends of the intervals of a sweep, in pixels or field lines from its start.
 struct Ends {
   double active, front_porch, sync;
@@ -24,6 +18,10 @@ ScanPhase phase_at(double place, const Ends& ends) {
 }
 
 }  // namespace
+
+double fly_back(double from, double to, double done) {
+  return to + (from - to) * (0.5 + 0.5 * std::cos(std::numbers::pi * done));
+}
 
 RasterScan::RasterScan(const VideoMode& mode) : mode_(mode), clock_(mode.pixel_clock_hz) {
   mode_.check();

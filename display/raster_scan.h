@@ -30,6 +30,10 @@ struct BeamPosition {
                  ///< porch; it is (line + 1/2) / active in the middle of a line's sweep
 };
 
+/// Fly-back is half a period of the deflection coil ringing with its capacitor: from `from` to `to`
+/// along half a cosine, `done` in [0, 1].
+double fly_back(double from, double to, double done);
+
 class RasterScan {
  public:
   explicit RasterScan(const VideoMode& mode);

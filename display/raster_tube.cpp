@@ -89,17 +89,18 @@ struct RasterTube::State {
   // Where the raster lay when knobs moved it, until what glows there has been left behind.
   std::shared_ptr<Screen> moved_from;
   std::optional<FreeRaster> free_then;
-  int width = 0, height = 0;       // of the output
-  std::shared_ptr<Screen> screen;  // follows from the settings and the size
-  std::shared_ptr<RetraceLight> retrace_light;
-  BeamTime begun;  // when the last exposure began
+  int width = 0, height = 0;                    // of the output
+  std::shared_ptr<Screen> screen;               // follows from the settings and the size
+  std::shared_ptr<RetraceLight> retrace_light;  // of a locked raster
+  std::shared_ptr<FreeRetrace> free_retrace;    // of a free one
+  BeamTime begun;                               // when the last exposure began
   TubeWork work;
 };
 
 RasterTube::State::State(const TubeSettings& s, int new_width, int new_height)
     : settings(s),
       scan(s.mode),
-      gun(s.gun, SpotModel(s.spot), s.mode.pixel_clock_hz),
+      gun(s.gun, spot_of(s), s.mode.pixel_clock_hz),
       beams(beams_of(find_phosphor(s.phosphor))),
       locked(s.mode, beams.signals, beams.layers, laws()),
       free(make_free()),
@@ -138,7 +139,7 @@ void RasterTube::State::turn_knobs(const TubeSettings& turned) {
   }
   const FreeSweep swept = free ? free->sweep() : FreeSweep({}, settings.mode);
   settings = turned;
-  gun = Gun(settings.gun, SpotModel(settings.spot), settings.mode.pixel_clock_hz);
+  gun = Gun(settings.gun, spot_of(settings), settings.mode.pixel_clock_hz);
   if (moves) {
     free = make_free();
     if (free) free->take_over(swept, now);
@@ -159,8 +160,13 @@ void RasterTube::State::leave_glow(Workers& workers) {
 /// @param like the screen until now, if the size is still the same
 void RasterTube::State::build_front(const Screen* like) {
   screen = std::make_shared<Screen>(settings, beams.layers, width, height, like);
-  retrace_light = std::make_shared<RetraceLight>(settings, gun.current(-settings.gun.blanking),
-                                                 laws(), width, height);
+  retrace_light.reset();
+  free_retrace.reset();
+  if (free) {
+    free_retrace = std::make_shared<FreeRetrace>(settings, gun, laws(), width, height);
+  } else {
+    retrace_light = std::make_shared<RetraceLight>(settings, gun, laws(), width, height);
+  }
   work = TubeWork();
   locked.forget();
 }
@@ -175,10 +181,14 @@ bool RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& worker
   const bool still = afterglow.empty();
   work.overlay.resize(free || !still ? beams.layers.size() : 0);
   for (std::vector<float>& plane : work.overlay) {
-    plane.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0f);
+    plane.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    workers.run(height, [&](int y, int) {
+      std::fill_n(plane.begin() + static_cast<std::ptrdiff_t>(y) * width, width, 0.0f);
+    });
   }
   if (!free) {
     afterglow.pass(scan.clock().seconds(until - begun), work.overlay, workers);
+    afterglow.gather(work.overlay, workers);
     LockedRaster::Times times;
     const bool differs = locked.pass(scan, gun, buffer, begun, until, still, workers, times);
     work.times.guns = times.guns;
@@ -186,20 +196,20 @@ bool RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& worker
     return differs;
   }
   StageTimer watch;
-  free->pass(scan, buffer, begun, until, *screen, afterglow, work.overlay, workers);
+  free->pass(scan, buffer, begun, until, *screen, *free_retrace, afterglow, work.overlay, workers);
   work.times.phosphor = watch.lap();
   return true;
 }
 
 /// What the exposure from `begun` to now sees besides the raster.
 void RasterTube::State::set_up_screen(Workers& workers) {
-  const LightOverlay& retrace = retrace_light->light(begun, now, workers);
-  if (!work.overlay.empty() && !retrace.empty()) {
-    for (std::size_t i = 0; i < retrace.size(); ++i) {
-      add_scaled(width * height, 1, retrace[i].data(), work.overlay[i].data());
+  const LightOverlay* retrace = free ? nullptr : &retrace_light->light(begun, now, workers);
+  if (retrace && !work.overlay.empty()) {
+    for (std::size_t i = 0; i < retrace->size(); ++i) {
+      add_scaled(width * height, 1, (*retrace)[i].data(), work.overlay[i].data());
     }
   }
-  screen->set_overlay(work.overlay.empty() ? &retrace : &work.overlay);
+  screen->set_overlay(work.overlay.empty() ? retrace : &work.overlay);
   screen->set_length(to_clocks(now - begun) / to_clocks(scan.frame_clocks()));
 }
 

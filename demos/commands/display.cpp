@@ -142,6 +142,10 @@ int run_display(const Options& options) {
   const bool wants_window =
       options.picture.output.empty() && !options.common.headless && !options.common.json;
   if (wants_window && Presenter::available()) {
+    if (options.picture.fps) {
+      throw Error(ErrorKind::kUsage, "is for a film that -o writes: a window shows each refresh",
+                  "--fps");
+    }
     return run_film_window(options, plan, std::move(feed));
   }
   const std::string output = output_of(options, plan.several());

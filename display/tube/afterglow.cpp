@@ -10,8 +10,10 @@
 namespace kinescope {
 namespace {
 
-constexpr double kLeast = 1e-7;  // of white; what is less is dropped
-constexpr int kFloatsATask = 1 << 15;
+constexpr double kLeast = 1e-7;      // of white; what is less is dropped
+constexpr double kFaded = 1e-5;      // what has faded less is not looked at
+constexpr double kLeastKept = 1e-2;  // of what is stored; sums would lose digits
+constexpr int kFloatsATask = 1 << 13;
 
 /// A plane stretched to another size, each pixel keeping its brightness.
 std::vector<float> stretched(const std::vector<float>& from, int width, int height, int new_width,
@@ -54,47 +56,59 @@ void Afterglow::resize(int width, int height) {
   height_ = height;
 }
 
-std::vector<float>& Afterglow::open(std::size_t layer, std::size_t term) {
-  const auto found = std::find_if(planes_.begin(), planes_.end(), [&](const Plane& p) {
-    return p.layer == layer && p.term == term;
-  });
+Afterglow::Opened Afterglow::open(std::size_t layer, std::size_t term) {
+  auto found = std::find_if(planes_.begin(), planes_.end(),
+                            [&](const Plane& p) { return p.layer == layer && p.term == term; });
   if (found == planes_.end()) {
-    Plane plane{layer, term, 1, true, 0, {}};
-    plane.to_come.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-    planes_.push_back(std::move(plane));
-    return planes_.back().to_come;
+    found = planes_.insert(found, {layer, term, 1, 0, 1, {}});
+    found->to_come.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   }
-  const float kept = static_cast<float>(std::exchange(found->kept, 1));
-  for (float& light : found->to_come) light *= kept;
-  found->opened = true;
-  return found->to_come;
-}
-
-void Afterglow::close(Plane& plane) const {
-  if (!std::exchange(plane.opened, false)) return;
-  plane.largest = *std::max_element(plane.to_come.begin(), plane.to_come.end());
+  found->kept_when_opened = found->kept;
+  // Light that comes only now must not be taken for what has faded since.
+  return {found->to_come, static_cast<float>(1 / found->kept),
+          static_cast<float>(-found->owed / found->kept)};
 }
 
 void Afterglow::pass(Seconds length, LightOverlay& sum, Workers& workers) {
-  if (planes_.empty() || !(length.count() > 0)) return;
-  std::vector<float> now;
+  if (!(length.count() > 0)) return;
+  std::vector<Plane*> faded;
   for (Plane& plane : planes_) {
-    close(plane);
     const Decayed d = decayed(length.count(), taus_[plane.layer][plane.term].count());
-    now.push_back(static_cast<float>(plane.kept * d.lost));
+    plane.owed += plane.kept * d.lost;
     plane.kept *= d.left;
+    if (plane.kept < kLeastKept) faded.push_back(&plane);
   }
+  if (!faded.empty()) gather(faded, sum, workers);
+}
+
+void Afterglow::gather(LightOverlay& sum, Workers& workers) {
+  std::vector<Plane*> all;
+  for (Plane& plane : planes_) all.push_back(&plane);
+  if (!all.empty()) gather(all, sum, workers);
+}
+
+/// Those that have faded are stored anew as what is left of them.
+void Afterglow::gather(const std::vector<Plane*>& planes, LightOverlay& sum, Workers& workers) {
   const int floats = width_ * height_;
   workers.run((floats + kFloatsATask - 1) / kFloatsATask, [&](int task, int) {
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(task) * kFloatsATask;
     const int count = std::min(kFloatsATask, floats - static_cast<int>(at));
-    for (std::size_t i = 0; i < planes_.size(); ++i) {
-      const Plane& plane = planes_[i];
-      add_scaled(count, now[i], plane.to_come.data() + at, sum[plane.layer].data() + at);
+    for (Plane* plane : planes) {
+      float* const light = plane->to_come.data() + at;
+      add_scaled(count, static_cast<float>(plane->owed), light, sum[plane->layer].data() + at);
+      if (plane->kept >= kLeastKept) continue;
+      const float kept = static_cast<float>(plane->kept);
+      for (int i = 0; i < count; ++i) light[i] *= kept;
     }
   });
-  std::erase_if(planes_, [](const Plane& plane) {
-    return plane.kept * static_cast<double>(plane.largest) < kLeast;
+  for (Plane* plane : planes) {
+    plane->owed = 0;
+    if (plane->kept < kLeastKept) plane->kept_when_opened /= std::exchange(plane->kept, 1);
+  }
+  planes_.remove_if([](const Plane& plane) {
+    if (plane.kept > kFaded * plane.kept_when_opened) return false;
+    const float largest = *std::max_element(plane.to_come.begin(), plane.to_come.end());
+    return plane.kept * static_cast<double>(largest) < kLeast;
   });
 }
 

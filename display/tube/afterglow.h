@@ -2,9 +2,10 @@
 // raster leaves behind when it moves. Kept by decaying term, a plane of the output's size each.
 #pragma once
 
+#include <list>
 #include <vector>
 
-#include "display/tube/retrace_light.h"
+#include "display/tube/beam_flight.h"
 #include "raster/base/units.h"
 #include "raster/base/workers.h"
 
@@ -20,25 +21,32 @@ class Afterglow {
   /// The picture's size in output pixels changes; the light stays where it is on the glass.
   void resize(int width, int height);
 
-  /// Light still to come, of white over one refresh being 1, to which the caller adds more of it
-  /// before anything else is called.
-  std::vector<float>& open(std::size_t layer, std::size_t term);
-  /// The light of the next `length`, added to a plane for each layer.
+  /// A plane to which the caller adds more light to come, white over one refresh being 1, before
+  /// time goes on: `scale` times it here, and `seen` times it to the layer's sum, so that what is
+  /// gathered at the end is right for it too.
+  struct Opened {
+    std::vector<float>& to_come;
+    float scale, seen;
+  };
+  Opened open(std::size_t layer, std::size_t term);
+  /// Time goes on. What is added to `sum`, a plane for each layer, is right once it is gathered.
   void pass(Seconds length, LightOverlay& sum, Workers& workers);
+  /// The light since the last call, added to `sum`.
+  void gather(LightOverlay& sum, Workers& workers);
 
  private:
   struct Plane {
     std::size_t layer, term;
-    double kept = 1;  // of what to_come says
-    bool opened = true;
-    float largest = 0;
+    double kept = 1;              // of what to_come says
+    double owed = 0;              // of it, what came since it was gathered
+    double kept_when_opened = 1;  // last
     std::vector<float> to_come;
   };
-  void close(Plane& plane) const;
+  void gather(const std::vector<Plane*>& planes, LightOverlay& sum, Workers& workers);
 
   std::vector<std::vector<Seconds>> taus_;
   int width_, height_;
-  std::vector<Plane> planes_;
+  std::list<Plane> planes_;  // opened ones keep their place
 };
 
 }  // namespace kinescope

@@ -1,5 +1,6 @@
 #include "display/tube/deflection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -101,6 +102,17 @@ Place Camera::glass_of_picture(Place picture) const {
   if (slope < 1e-12) return {0, 0};
   const double along = along_glass(slope);
   return {along * x / slope / half_width_mm_, along * y / slope / half_height_mm_};
+}
+
+Place Camera::picture_of_glass(Place glass) const {
+  if (radius_mm_ <= 0) return glass;
+  const double x = glass.x * half_width_mm_, y = glass.y * half_height_mm_;
+  const double along = std::hypot(x, y);
+  if (along < 1e-12) return {0, 0};
+  const double angle = std::min(along / radius_mm_, 0.5 * std::numbers::pi);
+  const double depth = distance_mm_ + radius_mm_ * (1 - std::cos(angle));
+  const double slope = radius_mm_ * std::sin(angle) / depth / along / scale_;
+  return {slope * x / half_width_mm_, slope * y / half_height_mm_};
 }
 
 }  // namespace kinescope

@@ -45,6 +45,8 @@ class Camera {
   /// The place on the glass that a place of the camera's picture shows: places on a curved glass
   /// are measured along it.
   Place glass_of_picture(Place picture) const;
+  /// Its inverse.
+  Place picture_of_glass(Place glass) const;
 
  private:
   double along_glass(double slope) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -16,7 +15,6 @@ namespace {
 // A cell of a field is excited once; it has been dark for so many clocks before.
 constexpr double kNever = 1e9;
 constexpr double kLeastLeft = 1e-7;  // share of a term that passes to the afterglow
-constexpr double kLeastVoltage = 0.2;
 constexpr int kLead = 4;  // lines by which a place is known ahead: what a spot's weights look at
 
 int cells_begun(BeamTime since_first, int cells) {
@@ -35,7 +33,8 @@ FreeRaster::FreeRaster(const TubeSettings& settings, std::span<const Signal> sig
                        std::span<const ScreenLayer> layers, std::span<const Phosphor> laws)
     : settings_(settings),
       sweep_(settings.sweep, settings.mode),
-      gun_(settings.gun, SpotModel(settings.spot), sweep_.clock_hz()),
+      spot_(spot_of(settings)),
+      gun_(settings.gun, spot_, sweep_.clock_hz()),
       signals_(signals.begin(), signals.end()),
       layers_(layers.begin(), layers.end()),
       laws_(laws.begin(), laws.end()),
@@ -46,7 +45,8 @@ FreeRaster::FreeRaster(const TubeSettings& settings, std::span<const Signal> sig
 
 void FreeRaster::turn_knobs(const TubeSettings& settings) {
   settings_ = settings;
-  gun_ = Gun(settings.gun, SpotModel(settings.spot), sweep_.clock_hz());
+  spot_ = spot_of(settings);
+  gun_ = Gun(settings.gun, spot_, sweep_.clock_hz());
 }
 
 void FreeRaster::take_over(const FreeSweep& before, BeamTime video_now) {
@@ -96,12 +96,16 @@ void FreeRaster::read_line(const RasterScan& scan, const FrameBuffer& buffer, in
                            Scratch& s) {
   const double step = sweep_.video_clocks();
   const double begin = to_clocks(line_begin(fields_.back().swept, line));
-  read_video(scan, buffer, (begin + 0.5) * step, step, s.video, s.drives);
+  const double first = (begin + 0.5) * step;
+  read_video(scan, buffer, first, step, s.video, s.drives);
+  if (settings_.gun.sync > 0) {
+    find_sync_tips(settings_.mode, first, step, cells_, s.tips);
+  }
   float sum = 0;
   for (std::size_t i = 0; i < signals_.size(); ++i) {
     float* const narrow = doses_[i].narrow.line(line);
     float* const wide = doses_[i].wide.line(line);
-    gun_.doses(s.drives, signals_[i], s.voltage, narrow, wide);
+    gun_.doses(s.drives, signals_[i], s.voltage, narrow, wide, s.tips);
     sum = std::accumulate(narrow, narrow + cells_, sum);
     sum = std::accumulate(wide, wide + cells_, sum);
   }
@@ -112,17 +116,9 @@ void FreeRaster::read_line(const RasterScan& scan, const FrameBuffer& buffer, in
 /// Places a line of the last field at the voltage of a load.
 void FreeRaster::bend_line(int line, double load) {
   Field& field = fields_.back();
-  const SweepSettings& s = settings_.sweep;
-  const std::size_t l = static_cast<std::size_t>(line);
   const double seconds = to_clocks(line_begin(field.swept, line)) / sweep_.clock_hz();
-  const double scale = 1 / std::sqrt(std::max(kLeastVoltage, 1 - s.sag * load));
-  const double ripple = std::sin(2 * std::numbers::pi * s.hum_hz * seconds);
-  const double middle = 0.5 * (lines_ - 1);
-  const double place = field.swept.first_place + line - middle;
-  field.warp.place[l] =
-      static_cast<float>(middle + place * scale + 0.5 * lines_ * s.hum_y * ripple);
-  field.warp.scale[l] = static_cast<float>(scale);
-  field.warp.shift[l] = static_cast<float>(0.5 * cells_ * s.hum_x * ripple);
+  kinescope::bend_line(field.warp, field.swept, line, sweep_bend(settings_.sweep, seconds, load),
+                       cells_, lines_);
 }
 
 /// What lines that begin in [begin, end) draw loads the high voltage. The deflection feels that
@@ -146,15 +142,22 @@ void FreeRaster::load_voltage(BeamTime begin, BeamTime end) {
   }
 }
 
-/// A cell's dose follows the time that the sweep gives it, and the voltage.
+/// A cell's dose follows the time that the sweep gives it, and the voltage; a spot that the voltage
+/// defocuses lies more in the wide Gaussian.
 void FreeRaster::weigh_doses(const Field& field, int line) {
   const float scale = field.warp.scale[static_cast<std::size_t>(line)];
   const float weight = dose_scale_ / (scale * scale);
   if (weight == 1) return;
+  const double voltage = std::max(1 / static_cast<double>(scale * scale), 1 - settings_.sweep.sag);
+  const auto widened = spot_.widened(spot_at_voltage(settings_.spot, voltage));
+  const auto kept = static_cast<float>(widened.kept), moved = static_cast<float>(widened.moved);
   for (LayerLight& doses : doses_) {
-    for (CellPlane* plane : {&doses.narrow, &doses.wide}) {
-      float* const cells = plane->line(line);
-      for (int i = 0; i < cells_; ++i) cells[i] *= weight;
+    float* const narrow = doses.narrow.line(line);
+    float* const wide = doses.wide.line(line);
+    for (int i = 0; i < cells_; ++i) {
+      const float all = weight * (narrow[i] + wide[i]);
+      wide[i] = weight * kept * wide[i] + moved * all;
+      narrow[i] = all - wide[i];
     }
   }
 }
@@ -206,46 +209,72 @@ void FreeRaster::pass_sweep(const RasterScan& scan, const FrameBuffer& buffer, B
 void FreeRaster::show(Field& field, const GunRasters& rasters, const Screen& screen,
                       LightOverlay& sum, Workers& workers) const {
   for (std::size_t i = 0; i < layers_.size(); ++i) {
-    screen.spread(rasters, i, field.light[i], workers, sum[i]);
-    for (int line = 0; line < lines_; ++line) clear(field.light[i], line, cells_);
+    const Screen::Spread spread{&field.light[i], {{{&sum[i], 1}}}};
+    screen.spread(rasters, i, {&spread, 1}, workers);
+    darken(field.light[i], workers);
   }
 }
 
-void FreeRaster::leave(Field& field, const GunRasters& rasters, const Screen& screen,
-                       Afterglow& afterglow, Workers& workers) const {
-  const double hz = sweep_.clock_hz();
-  const BeamTime last = line_begin(field.swept, field.swept.lines) - clocks(1);
-  const Seconds since_last{std::max(0.0, to_clocks(now_ - last)) / hz};
-  for (std::size_t i = 0; i < layers_.size(); ++i) {
-    LayerLight& light = field.light[i];
-    for (std::size_t term = 0; term < laws_[i].terms.size(); ++term) {
-      const double left = decayed(since_last.count(), laws_[i].terms[term].tau.count()).left;
-      if (left * laws_[i].terms[term].share < kLeastLeft) continue;
-      workers.run(line_tasks(lines_), [&](int task, int) {
-        const int stop = std::min(field.swept.lines, (task + 1) * kLinesATask);
-        for (int line = task * kLinesATask; line < stop; ++line) {
-          const BeamTime at = line_begin(field.swept, line);
-          const CellRange begun{0, cells_begun(now_ - at, cells_), to_clocks(now_ - at), false, 0};
-          field.phosphor[i].leave(term, line, begun,
+void FreeRaster::darken(LayerLight& light, Workers& workers) const {
+  workers.run(line_tasks(lines_), [&](int task, int) {
+    const int stop = std::min(lines_, (task + 1) * kLinesATask);
+    for (int line = task * kLinesATask; line < stop; ++line) clear(light, line, cells_);
+  });
+}
+
+/// What a term still has to give now, of each cell.
+void FreeRaster::left_of(Field& field, std::size_t layer, std::size_t term, LayerLight& light,
+                         Workers& workers) const {
+  workers.run(line_tasks(lines_), [&](int task, int) {
+    const int stop = std::min(lines_, (task + 1) * kLinesATask);
+    for (int line = task * kLinesATask; line < stop; ++line) {
+      clear(light, line, cells_);
+      if (line >= field.swept.lines) continue;
+      const BeamTime at = line_begin(field.swept, line);
+      const CellRange begun{0, cells_begun(now_ - at, cells_), to_clocks(now_ - at), false, 0};
+      field.phosphor[layer].leave(term, line, begun,
                                   {light.narrow.line(line), light.wide.line(line)});
-        }
-      });
-      screen.spread(rasters, i, light, workers, afterglow.open(i, term));
     }
-    for (int line = 0; line < lines_; ++line) clear(light, line, cells_);
+  });
+}
+
+/// Lays the field's light of this pass on the screen, if there is a sum for it, and hands over what
+/// is left: all at once, for the lines lie alike.
+void FreeRaster::leave(Field& field, const GunRasters& rasters, const Screen& screen,
+                       LightOverlay* sum, Afterglow& afterglow, Workers& workers) {
+  const BeamTime last = line_begin(field.swept, field.swept.lines) - clocks(1);
+  const double since_last_s = std::max(0.0, to_clocks(now_ - last)) / sweep_.clock_hz();
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    const std::vector<DecayTerm>& terms = laws_[i].terms;
+    while (leaving_.size() < terms.size()) {
+      leaving_.push_back({{cells_, lines_}, {cells_, lines_}});
+    }
+    std::vector<Screen::Spread> spreads;
+    if (sum) spreads.push_back({&field.light[i], {{{&(*sum)[i], 1}}}});
+    for (std::size_t term = 0; term < terms.size(); ++term) {
+      const double left = decayed(since_last_s, terms[term].tau.count()).left;
+      if (left * terms[term].share < kLeastLeft) continue;
+      left_of(field, i, term, leaving_[term], workers);
+      const Afterglow::Opened opened = afterglow.open(i, term);
+      spreads.push_back(
+          {&leaving_[term],
+           {{{&opened.to_come, opened.scale}, {sum ? &(*sum)[i] : nullptr, opened.seen}}}});
+    }
+    screen.spread(rasters, i, spreads, workers);
+    darken(field.light[i], workers);
   }
 }
 
 void FreeRaster::leave(const Screen& screen, Afterglow& afterglow, Workers& workers) {
   for (Field& field : fields_) {
-    leave(field, *screen.bent(field.warp), screen, afterglow, workers);
+    leave(field, *screen.bent(field.warp), screen, nullptr, afterglow, workers);
   }
   fields_.clear();
 }
 
 void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begin, BeamTime end,
-                      const Screen& screen, Afterglow& afterglow, LightOverlay& sum,
-                      Workers& workers) {
+                      const Screen& screen, FreeRetrace& retrace, Afterglow& afterglow,
+                      LightOverlay& sum, Workers& workers) {
   prepare(workers);
   const auto pass_to = [&](BeamTime video_end) {
     const BeamTime until = sweep_.of_video(video_end);
@@ -253,14 +282,15 @@ void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begi
       if (fields_.empty() || fields_.back().swept.end <= now_) {
         if (fields_.size() == 2) {
           const auto rasters = screen.bent(fields_.front().warp);
-          show(fields_.front(), *rasters, screen, sum, workers);
-          leave(fields_.front(), *rasters, screen, afterglow, workers);
+          leave(fields_.front(), *rasters, screen, &sum, afterglow, workers);
         }
         begin_field(sweep_.field_at(now_));
       }
       const BeamTime cut = std::min(until, fields_.back().swept.end);
       afterglow.pass(Seconds(to_clocks(cut - now_) / sweep_.clock_hz()), sum, workers);
       pass_sweep(scan, buffer, now_, cut, workers);
+      const Field& last = fields_.back();
+      retrace.pass(sweep_, last.swept, last.warp, now_, cut, afterglow, sum, workers);
       now_ = cut;
     }
   };
@@ -272,6 +302,7 @@ void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begi
   }
   pass_to(end);
   for (Field& field : fields_) show(field, *screen.bent(field.warp), screen, sum, workers);
+  afterglow.gather(sum, workers);
 }
 
 }  // namespace kinescope

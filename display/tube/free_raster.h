@@ -10,6 +10,7 @@
 #include "display/phosphor.h"
 #include "display/phosphor_layer.h"
 #include "display/tube/afterglow.h"
+#include "display/tube/free_retrace.h"
 #include "display/tube/free_sweep.h"
 #include "display/tube/gun.h"
 #include "display/tube/light_planes.h"
@@ -34,7 +35,8 @@ class FreeRaster {
   /// The light of [begin, end) in the video's clock, added to `sum`; pages of the buffer flip as
   /// the video, not the sweep, retraces.
   void pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begin, BeamTime end,
-            const Screen& screen, Afterglow& afterglow, LightOverlay& sum, Workers& workers);
+            const Screen& screen, FreeRetrace& retrace, Afterglow& afterglow, LightOverlay& sum,
+            Workers& workers);
   /// Everything that still glows passes to the afterglow, at the end of the last pass.
   void leave(const Screen& screen, Afterglow& afterglow, Workers& workers);
 
@@ -47,6 +49,7 @@ class FreeRaster {
   };
   struct Scratch {
     std::vector<GunDrive> video, drives;
+    std::vector<CellSpan> tips;
     std::vector<float> voltage;
     LayerScratch phosphor;
   };
@@ -63,11 +66,15 @@ class FreeRaster {
   BeamTime line_begin(const SweptField& swept, int line) const;
   void show(Field& field, const GunRasters& rasters, const Screen& screen, LightOverlay& sum,
             Workers& workers) const;
-  void leave(Field& field, const GunRasters& rasters, const Screen& screen, Afterglow& afterglow,
-             Workers& workers) const;
+  void darken(LayerLight& light, Workers& workers) const;
+  void left_of(Field& field, std::size_t layer, std::size_t term, LayerLight& light,
+               Workers& workers) const;
+  void leave(Field& field, const GunRasters& rasters, const Screen& screen, LightOverlay* sum,
+             Afterglow& afterglow, Workers& workers);
 
   TubeSettings settings_;
   FreeSweep sweep_;
+  SpotModel spot_;
   Gun gun_;
   std::vector<Signal> signals_;
   std::vector<ScreenLayer> layers_;
@@ -80,7 +87,8 @@ class FreeRaster {
   std::vector<float> currents_;    // of each of its lines, the mean of all guns; white's is 1
   double load_ = 0;                // that the high voltage feels, of steady white's
   BeamTime loaded_until_;
-  std::vector<Scratch> scratch_;  // of each worker
+  std::vector<Scratch> scratch_;     // of each worker
+  std::vector<LayerLight> leaving_;  // of each term: what is left of a field
 };
 
 }  // namespace kinescope

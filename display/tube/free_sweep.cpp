@@ -70,6 +70,7 @@ SweptField FreeSweep::field(std::int64_t number) const {
   f.first_line = in_line == BeamTime() ? f.begin : f.begin + line_period() - in_line;
   const double whole_lines = to_clocks(f.end - f.begin) / line_clocks_ - fly_back_lines_;
   f.lines = std::clamp(static_cast<int>(whole_lines), 0, lines_);
+  f.fly_back = std::max(0.0, whole_lines);
   f.first_place = to_clocks(f.first_line - f.begin) / line_clocks_;
   // Of two fields' lines, which lie between each other, the first lie a quarter above the middle.
   if (interlaced_) f.first_place -= 0.25;

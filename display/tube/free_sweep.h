@@ -19,6 +19,7 @@ struct SweptField {
   BeamTime begin, end;     ///< the end is the next one's beginning
   BeamTime first_line;     ///< when its first line begins
   int lines = 0;           ///< that it draws before it flies back
+  double fly_back = 0;     ///< when it does, in lines from its beginning
   double first_place = 0;  ///< of that line, in its own lines from the mode's topmost place
 };
 

@@ -74,13 +74,17 @@ double Gun::current(double drive) const {
   return grid > 0 ? std::pow(grid, settings_.gamma) : 0;
 }
 
+double Gun::blanked_current(bool sync_tip) const {
+  return current(-settings_.blanking - (sync_tip ? settings_.sync : 0));
+}
+
 Gun::Dose Gun::dose(double drive) const {
   const double all = current(drive), wide = spot_.wide_part(all);
   return {static_cast<float>(all - wide), static_cast<float>(wide)};
 }
 
 void Gun::doses(std::span<const GunDrive> drives, Signal signal, std::span<float> voltage,
-                float* narrow, float* wide) const {
+                float* narrow, float* wide, std::span<const CellSpan> tips) const {
   const std::size_t n = drives.size(), pad = static_cast<std::size_t>(reach());
   with_signal(signal, [&](auto code_of) {
     if (pad == 0) {
@@ -93,7 +97,18 @@ void Gun::doses(std::span<const GunDrive> drives, Signal signal, std::span<float
       for (std::size_t i = 0; i < n; ++i) voltage[pad + i] = code_of(drives[i]);
     }
   });
-  if (pad == 0) return;
+  if (pad == 0) {
+    const Dose tip = dose(-settings_.sync);
+    for (const CellSpan& span : tips) {
+      std::fill(narrow + span.begin, narrow + span.end, tip.narrow);
+      std::fill(wide + span.begin, wide + span.end, tip.wide);
+    }
+    return;
+  }
+  for (const CellSpan& span : tips) {
+    const auto first = voltage.begin() + static_cast<std::ptrdiff_t>(pad);
+    std::fill(first + span.begin, first + span.end, static_cast<float>(-255 * settings_.sync));
+  }
   std::fill_n(voltage.begin(), pad, 0.0f);
   std::fill_n(voltage.begin() + static_cast<std::ptrdiff_t>(pad + n), pad, 0.0f);
   amplify(static_cast<int>(n), response_, law_, voltage.data(), narrow, wide);

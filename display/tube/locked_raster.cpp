@@ -132,7 +132,9 @@ void LockedRaster::leave(const RasterScan& scan, BeamTime now, const Screen& scr
         glows[static_cast<std::size_t>(line)] = bright(rows[0]) || bright(rows[1]);
       });
       if (std::find(glows.begin(), glows.end(), 1) == glows.end()) continue;
-      screen.spread(screen.rasters(), i, light, workers, afterglow.open(i, term));
+      const Afterglow::Opened opened = afterglow.open(i, term);
+      const Screen::Spread spread{&light, {{{&opened.to_come, opened.scale}}}};
+      screen.spread(screen.rasters(), i, {&spread, 1}, workers);
     }
     phosphor.darken();
   }

@@ -46,7 +46,7 @@ bool one_mask(const TubeSettings& a, const TubeSettings& b) {
 }
 bool one_raster(const TubeSettings& a, const TubeSettings& b) {
   return one_shape(a.glass, b.glass) && a.mode == b.mode && a.spot == b.spot &&
-         a.deflection == b.deflection && is_free(a) == is_free(b);
+         a.deflection == b.deflection && is_free(a) == is_free(b) && a.sweep.sag == b.sweep.sag;
 }
 
 /// Of a free raster, those of a sweep that lies where it should.
@@ -54,7 +54,7 @@ std::shared_ptr<const GunRasters> make_rasters(const TubeSettings& s, int guns, 
                                                int width, int height) {
   const int lines = is_free(s) ? field_lines(s.mode) : s.mode.vertical.active;
   const RasterExtent extent{s.mode.horizontal.active, lines, width, height};
-  const SpotModel spot(s.spot);
+  const SpotModel spot = spot_of(s);
   GunRasters rasters;
   for (int gun = 0; gun < guns; ++gun) {
     if (straight) {
@@ -96,8 +96,9 @@ struct Screen::State {
                  const Finish& finish) const;
   void spread_row(std::span<const LayerLight> light, Scratch& s, int y) const;
   void add_overlay(Scratch& s, std::size_t layer, int x, int y, int n, bool alone) const;
-  void spread(const GunRasters& of_guns, std::size_t layer, const LayerLight& light,
-              Workers& workers, std::vector<float>& plane) const;
+  void spread(const Raster& raster, std::span<const Spread> lights, Workers& workers) const;
+  void spread_tile(const Raster& raster, std::span<const Spread> lights, Scratch& s, int x,
+                   int top) const;
   FinishRow finish_row(float gain) const;
   void set_row(FinishRow& row, const Scratch& s, int x, int y) const;
   const Raster& raster_of(std::size_t layer) const {
@@ -210,27 +211,60 @@ void Screen::State::add_overlay(Scratch& s, std::size_t layer, int x, int y, int
   add_scaled(n, 1, over, row);
 }
 
-void Screen::State::spread(const GunRasters& of_guns, std::size_t layer, const LayerLight& light,
-                           Workers& workers, std::vector<float>& plane) const {
-  const Raster& of_gun = of_guns.of_gun[static_cast<std::size_t>(layers[layer].gun)];
+/// One row of a tile, of rasters that lie alike.
+void spread_alike(const StraightRaster& raster, std::span<const Screen::Spread> lights, int y,
+                  Scratch& s) {
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    raster.spread_row(*lights[i].light, s.ring[i], y, s.row[i].data());
+  }
+}
+void spread_alike(const CurvedRaster& raster, std::span<const Screen::Spread> lights, int y,
+                  Scratch& s) {
+  std::array<LineRows, kMostLayers> rows;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    raster.spread_lines(*lights[i].light, s.ring[i], y);
+    rows[i] = {s.ring[i].narrow.data(), s.ring[i].wide.data(), s.row[i].data()};
+  }
+  raster.lines_down(s.ring[0], y, {rows.data(), lights.size()});
+}
+
+void Screen::State::spread_tile(const Raster& of_gun, std::span<const Spread> lights, Scratch& s,
+                                int x, int top) const {
+  const int n = std::min(tile_columns, width - x), groups = (n + kGroup - 1) / kGroup;
+  std::visit(
+      [&](const auto& raster) {
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+          s.row[i].resize(static_cast<std::size_t>(tile_columns));
+          raster.begin_tile(s.ring[i], x, groups);
+        }
+        for (int y = top; y < std::min(height, top + kTileRows); ++y) {
+          spread_alike(raster, lights, y, s);
+          const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width + x;
+          for (std::size_t i = 0; i < lights.size(); ++i) {
+            for (const Spread::Share& share : lights[i].to) {
+              if (!share.plane || share.scale == 0) continue;
+              add_scaled(n, share.scale, s.row[i].data(), share.plane->data() + at);
+              // The next row lies far away in memory: asked for ahead.
+              const float* const below = share.plane->data() + at + (y + 1 < height ? width : 0);
+              for (int ahead = 0; ahead < n; ahead += 16) __builtin_prefetch(below + ahead, 1);
+            }
+          }
+        }
+      },
+      of_gun);
+}
+
+void Screen::State::spread(const Raster& raster, std::span<const Spread> lights,
+                           Workers& workers) const {
   std::vector<Scratch> its_scratch(static_cast<std::size_t>(workers.count()));
   const int across = (width + tile_columns - 1) / tile_columns;
   const int down = (height + kTileRows - 1) / kTileRows;
   workers.run(across * down, [&](int task, int worker) {
     Scratch& s = its_scratch[static_cast<std::size_t>(worker)];
-    const int x = task % across * tile_columns, top = task / across * kTileRows;
-    const int n = std::min(tile_columns, width - x), groups = (n + kGroup - 1) / kGroup;
-    s.row[0].resize(static_cast<std::size_t>(tile_columns));
-    std::visit(
-        [&](const auto& raster) {
-          raster.begin_tile(s.ring[0], x, groups);
-          for (int y = top; y < std::min(height, top + kTileRows); ++y) {
-            raster.spread_row(light, s.ring[0], y, s.row[0].data());
-            add_scaled(n, 1, s.row[0].data(),
-                       plane.data() + static_cast<std::ptrdiff_t>(y) * width + x);
-          }
-        },
-        of_gun);
+    for (std::size_t i = 0; i < lights.size(); i += kMostLayers) {
+      spread_tile(raster, lights.subspan(i, std::min<std::size_t>(kMostLayers, lights.size() - i)),
+                  s, task % across * tile_columns, task / across * kTileRows);
+    }
   });
 }
 
@@ -290,9 +324,10 @@ std::shared_ptr<const GunRasters> Screen::bent(const SweepWarp& warp) const {
   return bent;
 }
 
-void Screen::spread(const GunRasters& rasters, std::size_t layer, const LayerLight& light,
-                    Workers& workers, std::vector<float>& plane) const {
-  state_->spread(rasters, layer, light, workers, plane);
+void Screen::spread(const GunRasters& rasters, std::size_t layer, std::span<const Spread> lights,
+                    Workers& workers) const {
+  const int gun = state_->layers[layer].gun;
+  state_->spread(rasters.of_gun[static_cast<std::size_t>(gun)], lights, workers);
 }
 
 }  // namespace kinescope

@@ -49,10 +49,18 @@ class Screen {
   /// The guns' rasters as they lie, and as one sweep of a free raster has them.
   const GunRasters& rasters() const;
   std::shared_ptr<const GunRasters> bent(const SweepWarp& warp) const;
-  /// Lays the light of one layer's raster down as light that lies over it: adds it to a plane of
-  /// the screen's size.
-  void spread(const GunRasters& rasters, std::size_t layer, const LayerLight& light,
-              Workers& workers, std::vector<float>& plane) const;
+  /// Light of one layer's raster, and the planes of the screen's size to which it is added.
+  struct Spread {
+    const LayerLight* light = nullptr;
+    struct Share {
+      std::vector<float>* plane = nullptr;
+      float scale = 1;
+    };
+    std::array<Share, 2> to{};
+  };
+  /// Lays such light down as light that lies over the raster; together costs less than one by one.
+  void spread(const GunRasters& rasters, std::size_t layer, std::span<const Spread> lights,
+              Workers& workers) const;
 
  private:
   struct State;

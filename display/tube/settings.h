@@ -27,6 +27,7 @@ struct GunSettings {
   double contrast = 1;      ///< gain of the video amplifier
   double brightness = 0;    ///< added to the drive, white being 1
   double blanking = 0.15;   ///< how far below black retrace blanking drives the guns
+  double sync = 0;          ///< how far below black the signal's sync tips are; 0: not on its wire
   double bandwidth_hz = 0;  ///< of the video amplifier, where it passes 1/sqrt(2); 0: unlimited
   bool operator==(const GunSettings&) const = default;
 };
@@ -38,6 +39,9 @@ struct SpotSettings {
       0.6;           ///< share of it that is left at no current; from 0.6 on two Gaussians draw it
   double focus = 1;  ///< multiplies it; 1 is the best focus
   double astigmatism = 1.25;  ///< width over height
+  /// The spot grows as the high voltage to the minus this. Current density is at most proportional
+  /// to the voltage (Langmuir 1937), so one current's area goes as 1 / U: 0.5.
+  double sag_power = 0.5;
   bool operator==(const SpotSettings&) const = default;
 };
 

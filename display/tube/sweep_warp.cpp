@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace kinescope {
 namespace {
@@ -41,7 +42,28 @@ class LineFinder {
   std::vector<float> found_;
 };
 
+constexpr double kLeastVoltage = 0.2;
+
 }  // namespace
+
+double voltage_at(const SweepSettings& settings, double load) {
+  return std::max(kLeastVoltage, 1 - settings.sag * load);
+}
+
+SweepBend sweep_bend(const SweepSettings& settings, double seconds, double load) {
+  const double ripple = std::sin(2 * std::numbers::pi * settings.hum_hz * seconds);
+  return {1 / std::sqrt(voltage_at(settings, load)), settings.hum_x * ripple,
+          settings.hum_y * ripple};
+}
+
+void bend_line(SweepWarp& warp, const SweptField& field, int line, const SweepBend& bend, int cells,
+               int lines) {
+  const std::size_t l = static_cast<std::size_t>(line);
+  const double middle = 0.5 * (lines - 1), place = field.first_place + line - middle;
+  warp.place[l] = static_cast<float>(middle + place * bend.scale + 0.5 * lines * bend.shift_y);
+  warp.scale[l] = static_cast<float>(bend.scale);
+  warp.shift[l] = static_cast<float>(0.5 * cells * bend.shift_x);
+}
 
 BeamMap warped(const BeamMap& steady, const SweepWarp& warp, int cells, int tile_columns) {
   BeamMap map = steady;

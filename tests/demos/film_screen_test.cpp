@@ -85,6 +85,25 @@ TEST_F(FilmScreenTest, ItsLastPictureStays) {
   EXPECT_EQ(number(), 2);
 }
 
+TEST_F(FilmScreenTest, EndsWithTheLastFrameThatWasAskedFor) {
+  DisplayPlan plan = small_plan(kSixty);
+  plan.cut = true;
+  plan.frames = {2, 4};
+  open(plan, std::make_unique<CountingFeed>(10, Size{64, 48}, false, 20));
+  std::vector<int> numbers;
+  for (int i = 0; i < 3; ++i) next(), numbers.push_back(number());
+  EXPECT_EQ(numbers, (std::vector{2, 3, 4}));
+  const Seconds last = screen_->time();
+  for (int i = 0; i < 3; ++i) screen_->tick(60);
+  EXPECT_TRUE(screen_->transport().paused());
+  press("Space");
+  for (int i = 0; i < 3; ++i) screen_->tick(60);
+  EXPECT_EQ(screen_->time(), last);
+  press(",");
+  next();
+  EXPECT_LT(screen_->time(), last);
+}
+
 TEST_F(FilmScreenTest, PausesAndSteps) {
   open(10, kSixty);
   for (int i = 0; i < 4; ++i) next();

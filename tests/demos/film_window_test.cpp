@@ -116,6 +116,13 @@ TEST_F(FilmWindow, AFilmThatEndsWithinAFrameIsNamed) {
   EXPECT_EQ(lines_said(), 1);
 }
 
+TEST_F(FilmWindow, HasNoRateButItsMonitors) {
+  start({"display", film(), "--fps", "24"});
+  EXPECT_EQ(program_->wait(kPatience), 2);
+  EXPECT_NE(said().find("--fps"), std::string::npos) << said();
+  EXPECT_EQ(lines_said(), 1) << said();
+}
+
 TEST_F(FilmWindow, SaysWhereTheMonitorIsTooSlowForSlices) {
   start({"display", "pattern:smpte-bars", "--shutter", "1/4000"});
   ASSERT_TRUE(shown());

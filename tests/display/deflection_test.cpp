@@ -86,6 +86,19 @@ TEST(Camera, CurvedGlassFillsThePicturesWidthAndPullsItsCornersIn) {
   EXPECT_NEAR(camera.glass_of_picture({slope / edge_slope, 0}).x, 100 / half_width_mm, 1e-9);
 }
 
+TEST(Camera, FindsWhereInThePictureAPlaceOnTheGlassIs) {
+  for (const double radius_mm : {0.0, 400.0, 1000.0}) {
+    GlassSettings glass;
+    glass.curvature_mm = radius_mm;
+    const Camera camera(glass);
+    for (const Place place : {Place{0, 0}, {0.7, 0}, {-0.3, 0.9}, {1, -1}}) {
+      const Place back = camera.picture_of_glass(camera.glass_of_picture(place));
+      EXPECT_NEAR(back.x, place.x, 1e-9);
+      EXPECT_NEAR(back.y, place.y, 1e-9);
+    }
+  }
+}
+
 TEST(Camera, RaysBesideTheTubeLandFarFromThePicture) {
   GlassSettings glass;
   glass.curvature_mm = 150;

@@ -65,6 +65,8 @@ TEST(FreeRaster, SlicesAddUpToTheWhole) {
   settings.sweep.hum_x = 0.05;
   settings.sweep.hum_y = 0.03;
   settings.sweep.sag = 0.1;
+  settings.gun.brightness = 0.3;  // the retrace shows
+  settings.gun.sync = 0.2;
   FrameBuffer buffer = buffer_for(mode);
   fill_random(buffer, 0, 11);
   Workers workers(2);

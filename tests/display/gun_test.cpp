@@ -43,6 +43,28 @@ TEST(Gun, KnobsMoveBlackAndWhite) {
   EXPECT_EQ(currents(settings, drives, Signal::kRed)[0], 0);
 }
 
+TEST(Gun, SyncTipsAreBlackerThanBlack) {
+  GunSettings settings;
+  settings.brightness = 0.3;
+  settings.blanking = 0.1;
+  settings.sync = 0.4;
+  const std::vector<GunDrive> black(60);
+  const std::vector<CellSpan> tips{{20, 40}};
+  for (const double bandwidth_hz : {0.0, 8e6}) {
+    settings.bandwidth_hz = bandwidth_hz;
+    const Gun gun(settings, SpotModel(SpotSettings{}), kClock);
+    std::vector<float> narrow(60), wide(60);
+    std::vector<float> voltage(60 + 2 * static_cast<std::size_t>(gun.reach()) + 8);
+    gun.doses(black, Signal::kGreen, voltage, narrow.data(), wide.data(), tips);
+    EXPECT_NEAR(narrow[10] + wide[10], std::pow(0.3, 2.35), 1e-4);
+    EXPECT_NEAR(narrow[30] + wide[30], 0, 1e-6);
+    EXPECT_NEAR(narrow[50] + wide[50], std::pow(0.3, 2.35), 1e-4);
+  }
+  const Gun gun(settings, SpotModel(SpotSettings{}), kClock);
+  EXPECT_NEAR(gun.blanked_current(false), std::pow(0.2, 2.35), 1e-12);
+  EXPECT_EQ(gun.blanked_current(true), 0);
+}
+
 /// A stripe's swing in the signal after the amplifier, of a sine of that frequency.
 double swing(double bandwidth_hz, double frequency_hz) {
   GunSettings settings;

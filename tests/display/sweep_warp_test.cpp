@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "display/raster_tube.h"
+#include "display/tube/deflection.h"
 #include "tests/display/small_tube.h"
 
 namespace kinescope {
@@ -56,6 +57,47 @@ TEST(SweepWarp, AHighVoltageThatSagsBloomsTheLinesBelowWhite) {
   EXPECT_NEAR(edge(50), 0.8 / std::sqrt(1 - 0.2 / load), 0.02);
   // And where little is drawn, it lies where it should.
   EXPECT_NEAR(centre_of(picture, 88, 92).x, 0.5 + 0.8 * (60.5 / 64 - 0.5), 0.004);
+}
+
+TEST(SweepWarp, AHighVoltageThatSagsWidensTheSpot) {
+  const VideoMode mode = small_mode();
+  TubeSettings settings = fading(mode);
+  settings.deflection.width = 0.8;
+  settings.spot.sigma_mm = 1;
+  settings.spot.astigmatism = 2;
+  settings.sweep.sag = 0.2;
+  settings.sweep.sag_time_s = 1e-4;
+  FrameBuffer buffer = buffer_for(mode);
+  draw_column(buffer, 31);
+  for (int y = 10; y < 30; ++y) {
+    for (int x = 0; x < 64; ++x) buffer.set_pixel(0, x, y, kWhite);
+  }
+  Workers workers(1);
+  // Of the column, just below the white, where the voltage is still low.
+  const auto variance = [&](double sag_power, int row) {
+    settings.spot.sag_power = sag_power;
+    RasterTube tube(settings, 512, 384);
+    tube.expose(buffer, mode.frame_period(), workers);
+    const Image<LinearRgb> picture = tube.expose(buffer, 2 * mode.frame_period(), workers);
+    double light = 0, x1 = 0, x2 = 0;
+    for (int x = 0; x < 512; ++x) {
+      const double here = static_cast<double>(picture.at(x, row).g);
+      light += here;
+      x1 += here * x;
+      x2 += here * x * x;
+    }
+    return x2 / light - x1 * x1 / (light * light);
+  };
+  const double spot_pixels =
+      settings.spot.astigmatism * pixels_a_mm(settings.glass, 512, 384).across;
+  // Lines feel what was drawn four lines before them: the first four below the white feel it all.
+  // Line 32, which the voltage moves down, too.
+  const int below = static_cast<int>(384 * (0.5 + 8.5 / 48 / std::sqrt(1 - 0.2 * 60.0 / 48)));
+  const int far = (46 * 384) / 48;
+  const double wanted = spot_pixels * spot_pixels * (1 / (1 - 0.2) - 1);
+  EXPECT_NEAR(variance(0.5, below) - variance(0, below), wanted, 0.1 * wanted);
+  // Two Gaussians of which one is that wide draw the others a little wider.
+  EXPECT_NEAR(variance(0.5, far), variance(0, far), 0.2 * spot_pixels * spot_pixels);
 }
 
 TEST(SweepWarp, SecondFieldsThatAreEarlyPairTheLines) {

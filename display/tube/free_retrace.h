@@ -1,0 +1,48 @@
+// The light of the blanked beam of a raster whose sweeps land anew each time: it flies back where
+// its own oscillators send it, whatever the video does. Excited once, it fades where it lies.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "display/phosphor.h"
+#include "display/tube/afterglow.h"
+#include "display/tube/beam_flight.h"
+#include "display/tube/free_sweep.h"
+#include "display/tube/gun.h"
+#include "display/tube/sweep_warp.h"
+
+namespace kinescope {
+
+class FreeRetrace {
+ public:
+  /// @param gun whose beam flies back, blanked
+  /// @param laws of the layers' phosphors
+  FreeRetrace(const TubeSettings& settings, const Gun& gun, std::span<const Phosphor> laws,
+              int width, int height);
+
+  /// The light of a field's flights in [begin, end), sweep clocks, added to `sum`; what is left of
+  /// it then passes to the afterglow.
+  void pass(const FreeSweep& sweep, const SweptField& field, const SweepWarp& warp, BeamTime begin,
+            BeamTime end, Afterglow& afterglow, LightOverlay& sum, Workers& workers);
+
+ private:
+  struct Window;
+  Place sweep_at(const Window& w, double clock) const;
+  void follow(const Window& w, double begin, double length, int pieces, bool drawn);
+  void follow_fields_lines(const Window& w);
+  void add_light(Afterglow& afterglow, LightOverlay& sum, Workers& workers);
+  void leave_term(std::size_t layer, std::size_t term, Afterglow& afterglow,
+                  std::vector<float>& sum, Workers& workers);
+
+  TubeSettings settings_;
+  std::vector<Phosphor> laws_;
+  FlightPath path_;
+  FlightPainter painter_;
+  std::array<double, 2> current_{};  // of the blanked beam; at sync tips
+  std::vector<BeamStroke> strokes_;
+  std::vector<double> doses_, since_s_;  // of each stroke; how long ago at the window's end
+};
+
+}  // namespace kinescope
