@@ -68,6 +68,13 @@ TEST(EngineLessons, AClickHalvesTheMandelbrotSetsView) {
   EXPECT_EQ(rows, view.height);
 }
 
+TEST(EngineLessons, AJuliaSetIsShownWhole) {
+  LessonUser user("mandelbrot");
+  EXPECT_EQ(user.lesson().course().remarks.at(0), "centre -0.75");
+  user.pass({key_down("2")});
+  EXPECT_EQ(user.lesson().course().remarks.at(0), "centre 0");
+}
+
 TEST(EngineLessons, TheSetIsRecordedFinerOnlyAsItIsShown) {
   LessonUser user("mandelbrot");
   const std::size_t first = user.lesson().course().tracks.at(0).steps();
