@@ -30,12 +30,12 @@ class AggregationDemo : public ClonableDemo<AggregationDemo, Lesson> {
     }
     const std::size_t count = cluster.particles.size();
     const glm::ivec2 corner((world().columns() - side) / 2, (world().rows() - side) / 2);
-    Track track("particles", {"particle", "x", "y", "away"});
+    Track track("particles", {"x", "y", "away"});
     for (std::size_t i = 0; i < count; ++i) {
       const glm::ivec2 p = cluster.particles[i], out = p - glm::ivec2(side / 2);
       const std::size_t age = knob(kAges).on() ? i * kChartInks.size() / count : 0;
       track.plot(corner.x + p.x, corner.y + p.y, kChartInks[age]);
-      track.step({double(i), double(p.x), double(p.y), std::hypot(out.x, out.y)});
+      track.step({double(p.x), double(p.y), std::hypot(out.x, out.y)});
     }
     Course course;
     course.tracks.push_back(std::move(track));

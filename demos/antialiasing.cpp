@@ -22,7 +22,7 @@ class Antialiasing : public ClonableDemo<Antialiasing, Lesson> {
       : ClonableDemo(
             setup,
             {.look_for = "Pickets narrower than a pixel come and go: aliasing. Weights keep "
-                         "their mean. Change the width of a picket, drag the vanishing "
+                         "their light. Change the width of a picket, drag the vanishing "
                          "point.",
              .handles = {{"vanishing point", {0.7, 0.2}}},
              .figures = {{"pickets", 12, 2, 40, 1, false}},
@@ -48,16 +48,18 @@ class Antialiasing : public ClonableDemo<Antialiasing, Lesson> {
 
   template <typename Draw>
   Track rows(const char* name, int pane, Draw&& draw) const {
-    Track track(name, {}, pane);
+    Track track(name, {"light"}, pane);
     Image<float> weights(world().columns(), world().rows());
     draw([&](int x, int y, float weight) {
       if (weights.contains(x, y)) weights.at(x, y) = std::min(1.0f, weights.at(x, y) + weight);
     });
+    double light = 0;  // of the rows so far, in whole pixels
     for (int y = 0; y < weights.height(); ++y) {
       for (int x = 0; x < weights.width(); ++x) {
         if (weights.at(x, y) > 0) track(x, y, weights.at(x, y));
+        light += static_cast<double>(weights.at(x, y));
       }
-      track.step({});
+      track.step({light});
     }
     return track;
   }
@@ -122,8 +124,8 @@ DemoInfo antialiasing_demo() {
       [](const DemoSetup& setup) { return std::make_unique<Antialiasing>(setup); },
       1,
       "drag the vanishing point",
-      {"aliasing shown", "supersampling", "exact area", "Wu lines", "filtering",
-       "edge-finding blur"}};
+      {"aliasing shown (a fence that turns to stripes)", "supersampling", "exact area", "Wu lines",
+       "filtering", "edge-finding blur"}};
 }
 
 }  // namespace kinescope

@@ -30,6 +30,12 @@ class Areas : public ClonableDemo<Areas, Lesson> {
                          kPriority, "what is filled")}) {}
 
  private:
+  /// Only those that the figure has.
+  bool handle_in(int handle, int) const override {
+    const int kind = knob(kKind).index();
+    return kind == kHole ? handle > 0 : kind == kPattern ? handle == 1 : true;
+  }
+
   Course record() const override {
     Track track(knob(kKind).text(), {"row", "from", "to", "area"});
     const auto row = [&](const RowSpan& span, double area, Srgb8 ink) {
@@ -74,7 +80,7 @@ class Areas : public ClonableDemo<Areas, Lesson> {
           const auto plot = [&](int x, int y, Srgb8 ink) { track.plot(x, y, ink); };
           PatternedSink sink(pattern, plot);
           sink(span);
-          row({span.y, span.x_begin, span.x_begin}, 0, theme::kText);
+          track.step({double(span.y), double(span.x_begin), double(span.x_end), 0});
         });
       }
     }
@@ -93,7 +99,8 @@ DemoInfo areas_demo() {
           [](const DemoSetup& setup) { return std::make_unique<Areas>(setup); },
           1,
           "drag the areas",
-          {"priority fill", "polygons with holes", "curve-bounded regions", "pattern fill"}};
+          {"priority fill (farthest first)", "polygons with holes", "curve-bounded regions",
+           "pattern fill"}};
 }
 
 }  // namespace kinescope

@@ -16,32 +16,41 @@ constexpr int kSteps = 300, kControls = 6;
 class BSplines : public ClonableDemo<BSplines, Lesson> {
  public:
   explicit BSplines(const DemoSetup& setup)
-      : ClonableDemo(setup,
-                     {.look_for = "Drag a point: the B-spline (white) changes only near it, the "
-                                  "Bezier curve (amber) everywhere. 1 and 2 change the order; "
-                                  "l shows de Casteljau's ladder.",
-                      .handles = {{"p0", {0.1, 0.8}},
-                                  {"p1", {0.15, 0.2}},
-                                  {"p2", {0.4, 0.15}},
-                                  {"p3", {0.55, 0.85}},
-                                  {"p4", {0.8, 0.8}},
-                                  {"p5", {0.9, 0.2}}},
-                      .resolution = 4,
-                      .speed = 4},
-                     {number_knob("order", "1", "2", 2, kControls, 1, 4, "", "degree and one"),
-                      choice_knob("knots", {"k"}, {"open", "uniform"}, 0,
-                                  "ends repeated until the curve reaches them, or not"),
-                      toggle_knob("pieces", "p", false, "the Bezier points of each piece"),
-                      toggle_knob("ladder", "l", false, "de Casteljau's, of the Bezier curve"),
-                      number_knob("t", "3", "4", 0, 1, 0.05, 0.4, "", "of the ladder")}) {}
+      : ClonableDemo(
+            setup,
+            {.look_for = "Drag a point: the B-spline (white) changes only near it, the "
+                         "Bezier curve (amber) everywhere. 1 and 2 change the order; "
+                         "k: given knots, to be typed; l: de Casteljau's ladder.",
+             .handles = {{"p0", {0.1, 0.8}},
+                         {"p1", {0.15, 0.2}},
+                         {"p2", {0.4, 0.15}},
+                         {"p3", {0.55, 0.85}},
+                         {"p4", {0.8, 0.8}},
+                         {"p5", {0.9, 0.2}}},
+             .words = Words{"given knots", "0 0 0 0 1 1 4 4 4 4"},
+             .resolution = 4,
+             .speed = 4},
+            {number_knob("order", "1", "2", 2, kControls, 1, 4, "", "degree and one"),
+             choice_knob("knots", {"k"}, {"open", "uniform", "given"}, 0,
+                         "ends repeated until the curve reaches them, or not, or as typed"),
+             toggle_knob("pieces", "p", false, "the Bezier points of each piece"),
+             toggle_knob("ladder", "l", false, "de Casteljau's, of the Bezier curve"),
+             number_knob("t", "3", "4", 0, 1, 0.05, 0.4, "", "of the ladder")}) {}
 
  private:
+  std::vector<double> knots(int order) const {
+    constexpr int kOpen = 0, kUniform = 1;
+    if (knob(kKnots).index() == kOpen) return open_knots(order, kControls);
+    if (knob(kKnots).index() == kUniform) return uniform_knots(order, kControls);
+    return typed_numbers(words(), static_cast<std::size_t>(order + kControls));
+  }
+
   Course record() const override {
     BSpline<glm::dvec2> spline;
     spline.order = knob(kOrder).index();
     for (int i = 0; i < kControls; ++i) pixel(i), spline.control.push_back(corner(i));
-    spline.knots = knob(kKnots).index() == 0 ? open_knots(spline.order, kControls)
-                                             : uniform_knots(spline.order, kControls);
+    spline.knots = knots(spline.order);
+    check_knots(spline.order, kControls, spline.knots);
     const World pane = world();
     Course course;
     Track track("B-spline", {"t", "x", "y"}), bezier("Bezier", {"t", "x", "y"}, 0, theme::kAccent);
@@ -94,8 +103,8 @@ DemoInfo b_splines_demo() {
           create,
           1,
           "drag a control point",
-          {"B-splines of any order", "uniform and open knots", "cut into its Bezier pieces",
-           "local against global control"}};
+          {"B-splines of any order", "uniform, open and given knots", "cut into its Bezier pieces",
+           "beside a Bezier curve of the same points", "local against global control"}};
 }
 
 DemoInfo practical_10_demo() {

@@ -116,9 +116,9 @@ class Characters : public ClonableDemo<Characters, Lesson> {
     const PixelsFromPath place({scale, 0}, {0, -scale}, pen);
     const World world = this->world();
     GlyphScan scan(path, place, world.columns(), world.rows());
-    Track track("scan conversion", {"step", "pixels"});
+    Track track("scan conversion", {"pixels"});
     Course course;
-    for (double step = 1; scan.next(); ++step) {
+    while (scan.next()) {
       double count = 0;
       for (int y = 0; y < world.rows(); ++y) {
         for (int x = 0; x < world.columns(); ++x) {
@@ -130,7 +130,7 @@ class Characters : public ClonableDemo<Characters, Lesson> {
         }
       }
       constexpr std::array kNames = {"", "scaled to the grid", "fitted to it", "filled", "mended"};
-      track.step({step, count}, kNames[static_cast<std::size_t>(scan.step())]);
+      track.step({count}, kNames[static_cast<std::size_t>(scan.step())]);
     }
     path_edges(scan.outline(), PixelsFromPath(1), 0.05f, [&](glm::vec2 a, glm::vec2 b) {
       course.guides.push_back({a, b});

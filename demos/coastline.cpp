@@ -6,7 +6,7 @@
 #include "demos/lesson/chart.h"
 #include "engine/fractals/dimension.h"
 #include "engine/fractals/generator_curve.h"
-#include "engine/fractals/random.h"
+#include "engine/fractals/random_koch.h"
 #include "engine/fractals/turtle.h"
 
 namespace kinescope {
@@ -39,16 +39,6 @@ class Coastline : public ClonableDemo<Coastline, Lesson> {
  private:
   glm::ivec2 panes() const override { return {1, 2}; }
 
-  /// Koch's curve whose bumps go to either side by lot: as rough, but never the same.
-  static void bend(Points& points, const glm::dvec2& to, int generations, SeededRandom& random) {
-    if (generations == 0) return points.push_back(to);
-    const glm::dvec2 from = points.back();
-    const double height = std::sqrt(3.0) / (random.uniform() < 0.5 ? 6 : -6);
-    for (const glm::dvec2& p : {glm::dvec2(1 / 3.0, 0), {0.5, height}, {2 / 3.0, 0}, {1, 0}}) {
-      bend(points, on_line(p, from, to), generations - 1, random);
-    }
-  }
-
   Points coast() const {
     Points points;
     if (knob(kCoast).index() == kKoch) {
@@ -57,8 +47,7 @@ class Coastline : public ClonableDemo<Coastline, Lesson> {
                     [&](const glm::dvec2&, const glm::dvec2& to) { points.push_back(to); });
     } else {
       SeededRandom random(static_cast<std::uint64_t>(knob(kSeed).value));
-      points.emplace_back(0, 0);
-      bend(points, {1, 0}, 5, random);
+      points = random_koch_curve(5, random);
     }
     FittedFigure figure;
     for (const glm::dvec2& p : points) figure.hold(p);

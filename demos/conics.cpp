@@ -94,8 +94,8 @@ class Conics : public ClonableDemo<Conics, Lesson> {
     }
     course.tracks.push_back(std::move(track));
     course.remarks.push_back(
-        fmt::format("{:.3g} x2 + {:.3g} xy + {:.3g} y2 + {:.3g} x + {:.3g} y "
-                    "+ {:.3g} = 0; b2 - 4ac = {:.3g}",
+        fmt::format("{:.4g} x^2 {:+.4g} xy {:+.4g} y^2 {:+.4g} x {:+.4g} y {:+.4g} = 0; "
+                    "b^2 - 4ac = {:.4g}",
                     c.a, c.b, c.c, c.d, c.e, c.f, c.discriminant()));
     return course;
   }

@@ -30,7 +30,7 @@ class CurveClipping : public ClonableDemo<CurveClipping, Lesson> {
                          {"opposite", {0.75, 0.25}},
                          {"a", {0.32, 0.4}},
                          {"b", {0.46, 0.75}},
-                         {"c", {0.75, 0.24}},
+                         {"c", {0.78, 0.2}},
                          {"d", {0.92, 0.4}}},
              .resolution = 6,
              .speed = 4,
@@ -41,7 +41,7 @@ class CurveClipping : public ClonableDemo<CurveClipping, Lesson> {
   ClipWindow between(int i, int j) const {
     check_coordinates(pixel(i));
     check_coordinates(pixel(j));
-    const glm::dvec2 a = world().named(corner(i)), b = world().named(corner(j));
+    const glm::dvec2 a = named_point(i), b = named_point(j);
     return {glm::min(a, b), glm::max(a, b)};
   }
 
@@ -49,7 +49,7 @@ class CurveClipping : public ClonableDemo<CurveClipping, Lesson> {
     const std::array<glm::dvec2, 4> c = {
         box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
     for (std::size_t i = 0; i < 4; ++i) {
-      course.guides.push_back({world().of_name(c[i]), world().of_name(c[(i + 1) % 4]), colour});
+      course.guides.push_back({world().middle_of(c[i]), world().middle_of(c[(i + 1) % 4]), colour});
     }
   }
 
@@ -75,7 +75,7 @@ class CurveClipping : public ClonableDemo<CurveClipping, Lesson> {
     for (int i = 0; i < kPieces; ++i) {
       const double t = end * i / kPieces, next = end * (i + 1) / kPieces;
       const glm::dvec2 a = point(t), b = point(next);
-      ink_line(track, world(), world().of_name(a), world().of_name(b), theme::kRed);
+      ink_line(track, world(), world().middle_of(a), world().middle_of(b), theme::kRed);
       // The chord's own part, so that colours change at the window's sides.
       const std::array<double, 2> ends = {t, next};
       std::vector<double> cuts(ends.begin(), ends.end());
@@ -88,8 +88,8 @@ class CurveClipping : public ClonableDemo<CurveClipping, Lesson> {
       std::sort(cuts.begin(), cuts.end());
       for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
         if (!kept(0.5 * (cuts[k] + cuts[k + 1]))) continue;
-        ink_line(track, world(), world().of_name(point(cuts[k])),
-                 world().of_name(point(cuts[k + 1])), theme::kText);
+        ink_line(track, world(), world().middle_of(point(cuts[k])),
+                 world().middle_of(point(cuts[k + 1])), theme::kText);
       }
       track.step({next, b.x, b.y}, told);
     }
@@ -108,7 +108,7 @@ class CurveClipping : public ClonableDemo<CurveClipping, Lesson> {
   void ellipse(Course& course, Track& track, const ClipWindow& window, int centre) const {
     const ClipWindow quarter = between(centre, centre + 1);
     ClippedEllipse e;
-    e.centre = world().named(corner(centre));
+    e.centre = named_point(centre);
     e.radii = quarter.max - quarter.min;
     const ClipWindow box{e.centre - e.radii, e.centre + e.radii};
     add_box(course, box, theme::kDim);
@@ -124,14 +124,14 @@ class CurveClipping : public ClonableDemo<CurveClipping, Lesson> {
     std::vector<glm::dvec2> control;
     for (int i = kA; i <= kD; ++i) {
       check_coordinates(pixel(i));
-      control.push_back(world().named(corner(i)));
+      control.push_back(named_point(i));
     }
     ClipWindow box{control[0], control[0]};
     for (std::size_t i = 0; i < control.size(); ++i) {
       box = {glm::min(box.min, control[i]), glm::max(box.max, control[i])};
       if (i == 0) continue;
       course.guides.push_back(
-          {world().of_name(control[i - 1]), world().of_name(control[i]), theme::kKeyCap});
+          {world().middle_of(control[i - 1]), world().middle_of(control[i]), theme::kKeyCap});
     }
     add_box(course, box, theme::kDim);
     const auto parts = clip_bezier(window, control);

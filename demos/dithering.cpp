@@ -1,16 +1,14 @@
 // Two levels that look like many: thresholds, ordered dither, error diffusion, blue noise.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
+#include <array>
 
 #include "demos/lesson/lesson.h"
 #include "demos/lesson/photograph.h"
+#include "demos/palette_course.h"
 #include "raster/base/error.h"
 #include "raster/dither/error_diffusion.h"
 #include "raster/dither/ordered_dither.h"
-#include "raster/dither/palette_dither.h"
 #include "raster/dither/threshold.h"
 #include "raster/dither/void_and_cluster.h"
 
@@ -33,8 +31,9 @@ class Dithering : public ClonableDemo<Dithering, Lesson> {
              .resolution = 7,
              .speed = 6},
             {choice_knob("ordered", {"o"},
-                         {"Bayer 2", "Bayer 4", "Bayer 8", "clustered 4", "clustered 8"}, 2,
-                         "the matrix of the ordered dither"),
+                         {"Bayer 2", "Bayer 4", "Bayer 8", "clustered 2", "clustered 3",
+                          "clustered 4", "clustered 6", "clustered 8"},
+                         2, "the matrix of the ordered dither"),
              choice_knob("diffusion", {"1", "2", "3"}, {"Floyd-Steinberg", "Jarvis", "Atkinson"}, 0,
                          "where a pixel's error goes"),
              choice_knob("into", {"i"}, {"few levels", "a palette"}, 0,
@@ -43,23 +42,6 @@ class Dithering : public ClonableDemo<Dithering, Lesson> {
 
  private:
   glm::ivec2 panes() const override { return {2, 2}; }
-
-  /// A lit ball over a slope of greys: linear light.
-  Image<Srgb8> ball() const {
-    Image<Srgb8> image(world().columns(), world().rows());
-    const double w = image.width(), h = image.height(), r = 0.36 * std::min(w, h);
-    for (int y = 0; y < image.height(); ++y) {
-      for (int x = 0; x < image.width(); ++x) {
-        const double u = (x + 0.5 - w / 2) / r, v = (y + 0.5 - h / 2) / r, n2 = 1 - u * u - v * v;
-        const double lit =
-            std::max(0.0, (-0.5 * u - 0.6 * v + 0.62 * std::sqrt(std::max(n2, 0.0))));
-        const auto light = static_cast<float>(
-            std::clamp(n2 > 0 ? 0.03 + 0.95 * lit : 0.6 * (x + 0.5) / w, 0., 1.));
-        image.at(x, y) = encode_srgb8(LinearRgb{light, light, light});
-      }
-    }
-    return image;
-  }
 
   int from_2_to_256(int index, const char* name) const {
     const int count = whole_figure(index);
@@ -70,6 +52,13 @@ class Dithering : public ClonableDemo<Dithering, Lesson> {
   void plot(Track& track, int x, int y, int level) const {
     const float light = static_cast<float>(level) / static_cast<float>(levels() - 1);
     track.plot(x, y, encode_srgb8(LinearRgb{light, light, light}));
+  }
+
+  ThresholdMatrix matrix() const {
+    constexpr std::array kSides = {2, 4, 8, 2, 3, 4, 6, 8};
+    constexpr int kFirstClustered = 3;
+    const int chosen = knob(kMatrix).index(), side = kSides[static_cast<std::size_t>(chosen)];
+    return chosen < kFirstClustered ? bayer_matrix(side) : clustered_dot_matrix(side);
   }
 
   template <const DiffusionKernel& kShares>
@@ -86,9 +75,16 @@ class Dithering : public ClonableDemo<Dithering, Lesson> {
     const Image<Srgb8> picture =
         knob(kSubject).index() == 0
             ? photograph(studio().workers, world().columns(), world().rows())
-            : ball();
-    return knob(kInto).index() == kPalette ? to_a_palette(picture)
-                                           : to_few_levels(grey_of(picture, true));
+            : lit_ball(world().columns(), world().rows());
+    return knob(kInto).index() == kPalette
+               ? palette_course(picture, from_2_to_256(kColours, "colours"))
+               : to_few_levels(grey_of(picture, true));
+  }
+
+  static double mean_light(const Track& track) {
+    double light = 0;
+    for (const Mark& mark : track.all_marks()) light += static_cast<double>(decode(mark.colour).g);
+    return light / static_cast<double>(track.all_marks().size());
   }
 
   Course to_few_levels(const GreyImage& image) const {
@@ -102,10 +98,7 @@ class Dithering : public ClonableDemo<Dithering, Lesson> {
     Track plain("threshold", {}, 0), ordered("ordered", {}, 1), blue("blue noise", {}, 3);
     const std::vector<std::uint8_t> thresholds = even_thresholds(levels());
     threshold(image, std::span<const std::uint8_t>(thresholds), sink(plain));
-    const int matrix = knob(kMatrix).index();
-    ordered_dither(
-        image, matrix < 3 ? bayer_matrix(2 << matrix) : clustered_dot_matrix(matrix == 3 ? 4 : 8),
-        levels(), sink(ordered));
+    ordered_dither(image, matrix(), levels(), sink(ordered));
     static const ThresholdMatrix kBlue = blue_noise_matrix(32, 1);
     ordered_dither(image, kBlue, levels(), sink(blue));
     course.tracks = {std::move(plain), std::move(ordered)};
@@ -113,49 +106,14 @@ class Dithering : public ClonableDemo<Dithering, Lesson> {
                             : knob(kKernel).index() == 1 ? diffused<kJarvis>(image)
                                                          : diffused<kAtkinson>(image));
     course.tracks.push_back(std::move(blue));
-    return course;
-  }
-
-  /// The picture, its boxes of colours as they are cut, and what their mean colours make of it.
-  Course to_a_palette(const Image<Srgb8>& picture) const {
-    MedianCut cut(picture, from_2_to_256(kColours, "colours"));
-    Course course;
-    course.papers = {picture};
-    Track boxes("boxes of colours", {"boxes"}, 1);
-    Palette palette;
-    do {
-      const Palette before = std::exchange(palette, cut.palette());
-      show_changes(boxes, before, palette);
-      boxes.step({double(cut.boxes().size())});
-    } while (cut.next());
-    course.tracks.push_back(Track("photograph", {}, 0));
-    course.tracks.push_back(std::move(boxes));
-    course.tracks.push_back(rows("nearest", 2, to_palette(picture, palette), palette));
-    course.tracks.push_back(rows("diffused", 3, diffuse_to_palette(picture, palette), palette));
-    course.remarks.push_back(fmt::format("{} colours of the 16777216", palette.size()));
-    return course;
-  }
-
-  /// A field for each entry; those that a cut changed are drawn anew.
-  void show_changes(Track& track, const Palette& before, const Palette& now) const {
-    const int side = static_cast<int>(std::ceil(std::sqrt(figure(kColours))));
-    const int width = world().columns() / side, height = world().rows() / side;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      if (i < before.size() && before[i] == now[i]) continue;
-      const int left = static_cast<int>(i) % side * width,
-                top = static_cast<int>(i) / side * height;
-      for (int y = top; y < top + height; ++y) track.span({y, left, left + width}, now[i]);
+    double light = 0;
+    for (const std::uint8_t grey : image.pixels()) light += grey / 255.0;
+    course.remarks.push_back(
+        fmt::format("mean light {:.3f}", light / static_cast<double>(image.pixels().size())));
+    for (const Track& track : course.tracks) {
+      course.remarks.push_back(fmt::format("  {}: {:.3f}", track.name(), mean_light(track)));
     }
-  }
-
-  Track rows(const char* name, int pane, const Image<std::uint8_t>& entries,
-             const Palette& palette) const {
-    Track track(name, {}, pane);
-    for (int y = 0; y < entries.height(); ++y) {
-      for (int x = 0; x < entries.width(); ++x) track.plot(x, y, palette[entries.at(x, y)]);
-      track.step({});
-    }
-    return track;
+    return course;
   }
 };
 
@@ -168,8 +126,9 @@ DemoInfo dithering_demo() {
           [](const DemoSetup& setup) { return std::make_unique<Dithering>(setup); },
           1,
           {},
-          {"halftoning", "thresholding at one and several levels", "ordered dithering",
-           "error diffusion", "blue noise", "to 1 bit and to a palette of 256"}};
+          {"halftoning: clustered dots, 2x2 to 8x8", "thresholding at one and at several levels",
+           "ordered dithering (Bayer)", "error diffusion (Floyd-Steinberg, Jarvis, Atkinson)",
+           "blue noise", "to 1 bit and to a palette of 256"}};
 }
 
 }  // namespace kinescope

@@ -1,9 +1,9 @@
 // Picture enhancement: tone curves by the histogram, convolutions, and the median.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "demos/lesson/histogram_track.h"
 #include "demos/lesson/lesson.h"
 #include "demos/lesson/photograph.h"
 #include "engine/fractals/random.h"
@@ -113,26 +113,6 @@ class Enhancement : public ClonableDemo<Enhancement, Lesson> {
 
   static Srgb8 grey(std::uint8_t tone) { return {tone, tone, tone, 255}; }
 
-  /// One column a step, of as many tones as fall on it.
-  Track bars(const char* name, const Histogram& counts, int pane, Srgb8 colour) const {
-    Track track(name, {}, pane, colour);
-    const int columns = world().columns(), rows = world().rows();
-    std::vector<double> sums(static_cast<std::size_t>(columns));
-    for (int tone = 0; tone < 256; ++tone) {
-      sums[static_cast<std::size_t>(tone * columns / 256)] +=
-          static_cast<double>(counts[static_cast<std::size_t>(tone)]);
-    }
-    const double most = *std::max_element(sums.begin(), sums.end());
-    for (int x = 0; x < columns; ++x) {
-      // The root, so that small counts are seen beside a peak.
-      const double share = std::sqrt(sums[static_cast<std::size_t>(x)] / std::max(most, 1.0));
-      const int top = rows - static_cast<int>(std::lround(share * (rows - 4)));
-      for (int y = top; y < rows; ++y) track(x, y);
-      track.step({});
-    }
-    return track;
-  }
-
   Course record() const override {
     const GreyImage image = subject();
     GreyImage result(image.width(), image.height());
@@ -151,25 +131,18 @@ class Enhancement : public ClonableDemo<Enhancement, Lesson> {
     const Histogram before = histogram(image), now = histogram(result);
     course.tracks.push_back(Track("before", {}, kBefore));
     course.tracks.push_back(std::move(after));
-    course.tracks.push_back(bars("its histogram", before, kHistogramBefore, theme::kCool));
-    course.tracks.push_back(bars("and now", now, kHistogramAfter, theme::kAccent));
+    course.tracks.push_back(
+        histogram_track(world(), "its histogram", before, kHistogramBefore, theme::kCool));
+    course.tracks.push_back(
+        histogram_track(world(), "and now", now, kHistogramAfter, theme::kAccent));
     course.remarks = {"before: " + told(before), "after: " + told(now)};
     return course;
   }
 
-  /// Mean and spread of the tones, and how many there are.
   static std::string told(const Histogram& counts) {
-    double count = 0, sum = 0, squares = 0;
-    int tones = 0;
-    for (std::size_t tone = 0; tone < counts.size(); ++tone) {
-      const auto n = static_cast<double>(counts[tone]), t = static_cast<double>(tone);
-      count += n;
-      sum += n * t;
-      squares += n * t * t;
-      tones += counts[tone] > 0;
-    }
-    const double mean = sum / count, variance = std::max(0.0, squares / count - mean * mean);
-    return fmt::format("mean {:.1f}, deviation {:.1f}, {} tones", mean, std::sqrt(variance), tones);
+    const ToneSpread spread = tone_spread(counts);
+    return fmt::format("mean {:.1f}, deviation {:.1f}, {} tones", spread.mean, spread.deviation,
+                       spread.tones);
   }
 
   std::uint64_t seed_;

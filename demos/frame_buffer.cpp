@@ -116,7 +116,7 @@ class FrameBufferDemo : public ClonableDemo<FrameBufferDemo> {
     const Rect bar =
         Rect{0, static_cast<float>(height()) - 92 * scale, static_cast<float>(width()), 40 * scale}
             .shrunk(theme::kMargin * scale);
-    canvas.fill(bar.shrunk(-4 * scale), theme::kPanel, 4 * scale);
+    canvas.fill(bar.shrunk(-4 * scale), theme::with_alpha(theme::kPanel, 222), 4 * scale);
     const float left = std::floor(bar.x), top = std::floor(bar.y);
     const int columns = static_cast<int>(bar.width);
     for (int x = 0; x < columns; ++x) {

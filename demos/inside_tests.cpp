@@ -1,6 +1,8 @@
 // Even-odd rule and winding number of a polygon that crosses itself, side by side.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "demos/lesson/lesson.h"
 #include "raster/fill/inside_test.h"
 #include "raster/fill/scanline_fill.h"
@@ -52,20 +54,29 @@ class InsideTests : public ClonableDemo<InsideTests, Lesson> {
   /// First the edges that the ray to the left may cross, then the rows.
   Track track(const char* name, const Polygon& polygon, glm::dvec2 point, FillRule rule) const {
     const bool even_odd = rule == FillRule::kEvenOdd;
-    Track track(name, {"crossed", even_odd ? "count" : "winding"}, even_odd ? 0 : 1);
+    Track track(name, {"crossed", even_odd ? "count" : "winding", "pixels"}, even_odd ? 0 : 1);
     InsideTest test(polygon[0], point);
-    double last = 0;
     while (test.next()) {
       track.plot(static_cast<int>(point.x), static_cast<int>(point.y), theme::kAccent);
-      last = even_odd ? test.crossings() : test.winding();
-      track.step({double(test.direction()), last});
+      const int sum = even_odd ? test.crossings() : test.winding();
+      track.step({double(test.direction()), double(sum), NAN});
     }
     if (!knob(0).on()) return track;
-    scanline_fill(polygon, rule, world().window(), [&](const RowSpan& span) {
-      track(span);
-      track.step({0, last});
-    });
+    fill(track, polygon, rule);
     return track;
+  }
+
+  /// A row a step, whether anything of it is inside or not, so that both rules keep step.
+  void fill(Track& track, const Polygon& polygon, FillRule rule) const {
+    std::vector<std::vector<RowSpan>> rows(static_cast<std::size_t>(world().rows()));
+    scanline_fill(polygon, rule, world().window(), [&](const RowSpan& span) {
+      rows[static_cast<std::size_t>(span.y)].push_back(span);
+    });
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+      double pixels = 0;
+      for (const RowSpan& span : rows[y]) track(span), pixels += span.length();
+      track.step({NAN, NAN, pixels}, fmt::format("row {}", y));
+    }
   }
 };
 

@@ -88,6 +88,7 @@ DemoInfo l_systems_demo() {
 DemoInfo practical_9_demo() {
   DemoInfo info = l_systems_demo();
   info.name = "practical-9";
+  info.chapter = "Practicals";
   info.summary = "Practical 9: fractals, generation by generation";
   info.topics = {"practical 9"};
   return info;

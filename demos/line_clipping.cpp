@@ -40,26 +40,27 @@ class LineClipping : public ClonableDemo<LineClipping, Lesson> {
     const World pane = world();
     const bool whole = track.steps() == 0;
     if (whole || thrown.from != thrown.to) {
-      ink_line(track, pane, pane.of_name(thrown.from), pane.of_name(thrown.to),
+      ink_part(track, pane, {pane.middle_of(segment().from), pane.middle_of(segment().to)},
+               {pane.middle_of(thrown.from), pane.middle_of(thrown.to)},
                whole ? theme::kAccent : theme::kRed);
     }
     track.step(std::move(values), std::move(note));
   }
-  Segment2 segment() const { return {world().named(corner(kFrom)), world().named(corner(kTo))}; }
+  Segment2 segment() const { return {named_point(kFrom), named_point(kTo)}; }
   ClipWindow window() const {
-    const glm::dvec2 a = world().named(corner(kLow)), b = world().named(corner(kHigh));
+    const glm::dvec2 a = named_point(kLow), b = named_point(kHigh);
     return {glm::min(a, b), glm::max(a, b)};
   }
 
   Track cohen_sutherland() const {
-    Track track("Cohen-Sutherland", {"step", "x", "y"});
+    Track track("Cohen-Sutherland", {"x", "y"});
     CohenSutherland clip(window(), segment());
     Segment2 thrown = segment(), before = segment();
     do {
       const glm::dvec2 moved = clip.moved_from ? clip.segment.from : clip.segment.to;
       if (track.steps() > 0) thrown = {clip.moved_from ? before.from : before.to, moved};
       if (clip.state == ClipState::kRejected) thrown = before;
-      cut(track, thrown, {double(clip.steps), moved.x, moved.y},
+      cut(track, thrown, {moved.x, moved.y},
           "codes " + bits(clip.from_code) + " " + bits(clip.to_code));
       before = clip.segment;
     } while (clip.next());
@@ -111,10 +112,10 @@ class LineClipping : public ClonableDemo<LineClipping, Lesson> {
     const ClipWindow w = window();
     const glm::dvec2 far(pane.columns(), pane.rows());
     for (const double x : {w.min.x, w.max.x}) {
-      course.guides.push_back({pane.of_name({x, -far.y}), pane.of_name({x, far.y})});
+      course.guides.push_back({pane.middle_of({x, -far.y}), pane.middle_of({x, far.y})});
     }
     for (const double y : {w.min.y, w.max.y}) {
-      course.guides.push_back({pane.of_name({-far.x, y}), pane.of_name({far.x, y})});
+      course.guides.push_back({pane.middle_of({-far.x, y}), pane.middle_of({far.x, y})});
     }
     const auto left = clip_cohen_sutherland(w, segment());
     course.remarks.push_back(left ? fmt::format("inside: ({:.2f}, {:.2f}) to ({:.2f}, {:.2f})",

@@ -12,15 +12,14 @@ enum { kFrom, kTo };
 class Lines : public ClonableDemo<Lines, Lesson> {
  public:
   Lines(const DemoSetup& setup, bool centred)
-      : ClonableDemo(
-            setup,
-            {.look_for =
-                 "Both must choose the same pixels: the DDA rounds a real number, Bresenham "
-                 "looks at a sign. Drag an end, or type it; n and b step.",
-             .handles = {{"from", {0.15, 0.3}}, {"to", {0.85, 0.6}}},
-             .centred = centred},
-            {choice_knob("method", {"1", "2", "3"}, {"DDA", "Bresenham", "both"},
-                         centred ? kBresenham : kBoth, "which algorithm draws")}),
+      : ClonableDemo(setup,
+                     {.look_for = "Both choose the same pixels, if none lies halfway: the DDA "
+                                  "rounds a real number, Bresenham "
+                                  "looks at a sign. Drag an end, or type it; n and b step.",
+                      .handles = {{"from", {0.15, 0.3}}, {"to", {0.85, 0.6}}},
+                      .centred = centred},
+                     {choice_knob("method", {"1", "2", "3"}, {"DDA", "Bresenham", "both"},
+                                  centred ? kBresenham : kBoth, "which algorithm draws")}),
         centred_(centred) {}
 
  private:

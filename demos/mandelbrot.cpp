@@ -56,6 +56,7 @@ class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
  private:
   DeepView shown() const {
     DeepView view = view_;
+    if (julia() && view_.step == 0) view.centre_x = "0";  // a Julia set lies about the origin
     view.width = world().columns();
     view.height = world().rows();
     view.step = (view_.step > 0 ? view_.step : kWholeWidth) / view.width;

@@ -2,27 +2,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
+#include "demos/brushes.h"
 #include "demos/lesson/lesson.h"
 #include "engine/fractals/random.h"
 #include "raster/base/error.h"
 #include "raster/fill/flood_fill.h"
-#include "raster/scan/midpoint_ellipse.h"
 #include "raster/scan/spray.h"
-#include "raster/scan/thick_pen.h"
 
 namespace kinescope {
 namespace {
 
 enum { kTool, kColour };
 enum { kBrush, kSpray, kFill, kLine, kBox, kEllipse };
-constexpr Srgb8 kPaper{240, 236, 226, 255};
-constexpr std::array kInks = {Srgb8{24, 24, 30, 255},   Srgb8{200, 44, 40, 255},
-                              Srgb8{236, 160, 30, 255}, Srgb8{40, 140, 60, 255},
-                              Srgb8{36, 110, 200, 255}, kPaper};
 constexpr int kDropsAMove = 40;
 
 class Paint : public ClonableDemo<Paint, Lesson> {
@@ -42,7 +36,7 @@ class Paint : public ClonableDemo<Paint, Lesson> {
              choice_knob("colour", {"c"}, {"black", "red", "amber", "green", "blue", "paper"}, 4,
                          "of the paint")}),
         random_(setup.seed) {
-    paper_ = first_picture();
+    paper_ = first_painting(World::kScreenWidth / 2, World::kScreenHeight / 2);
   }
   std::size_t state_bytes() const override {
     return Lesson::state_bytes() + (1 + kMostUndone) * 4 * paper_.pixels().size();
@@ -51,78 +45,28 @@ class Paint : public ClonableDemo<Paint, Lesson> {
  private:
   static constexpr std::size_t kMostUndone = 16;
 
-  Srgb8 ink() const { return kInks[static_cast<std::size_t>(knob(kColour).index())]; }
+  Srgb8 ink() const { return kPaints[static_cast<std::size_t>(knob(kColour).index())]; }
   int width_of_brush() const {
     const int width = whole_figure(0);
     if (width < 1 || width > 100) throw_bad_input("width: from 1 to 100 pixels");
     return width;
   }
 
-  /// So that there is something to fill.
-  Image<Srgb8> first_picture() const {
-    Image<Srgb8> paper(World::kScreenWidth / 2, World::kScreenHeight / 2, kPaper);
-    const int w = paper.width(), h = paper.height();
-    stroke(paper, {w / 10, h * 3 / 4}, {w * 9 / 10, h * 3 / 4}, 3, kInks[3]);
-    const std::array<glm::ivec2, 5> house = {{{w / 3, h * 3 / 4},
-                                              {w / 3, h / 2},
-                                              {w / 2, h / 3},
-                                              {w * 2 / 3, h / 2},
-                                              {w * 2 / 3, h * 3 / 4}}};
-    for (std::size_t i = 1; i < house.size(); ++i) {
-      stroke(paper, house[i - 1], house[i], 3, kInks[0]);
-    }
-    ellipse(paper, {w * 5 / 6, h / 6}, {h / 12, h / 12}, 3, kInks[2]);
-    flood_fill(paper, w * 5 / 6, h / 6, Connectivity::kFour, on(paper, kInks[2]));
-    flood_fill(paper, w / 2, h / 2, Connectivity::kFour, on(paper, kInks[1]));
-    return paper;
-  }
-
-  /// A sink for points and rows.
-  struct Brush {
-    Image<Srgb8>& paper;
-    Srgb8 colour;
-    void operator()(int x, int y) const {
-      if (paper.contains(x, y)) paper.at(x, y) = colour;
-    }
-    void operator()(const RowSpan& span) const {
-      for (int x = span.x_begin; x < span.x_end; ++x) (*this)(x, span.y);
-    }
-  };
-  static Brush on(Image<Srgb8>& paper, Srgb8 colour) { return {paper, colour}; }
-  static void stroke(Image<Srgb8>& paper, glm::ivec2 from, glm::ivec2 to, int width, Srgb8 colour) {
-    pen_line(from, to, Pen::round(width), on(paper, colour));
-  }
-  static void ellipse(Image<Srgb8>& paper, glm::ivec2 centre, glm::ivec2 radii, int width,
-                      Srgb8 colour) {
-    for (MidpointEllipse e(radii); e.next();) {
-      four_way(centre, e.at(), [&](int x, int y) { stroke(paper, {x, y}, {x, y}, width, colour); });
-    }
-  }
-
   /// The figure from where the button went down to here.
   void figure_to(Image<Srgb8>& paper, glm::ivec2 to) const {
-    const glm::ivec2 from = *down_;
+    const Brush brush{paper, ink()};
     const int width = width_of_brush();
-    switch (knob(kTool).index()) {
-      case kLine:
-        stroke(paper, from, to, width, ink());
-        break;
-      case kBox:
-        stroke(paper, from, {to.x, from.y}, width, ink());
-        stroke(paper, {to.x, from.y}, to, width, ink());
-        stroke(paper, to, {from.x, to.y}, width, ink());
-        stroke(paper, {from.x, to.y}, from, width, ink());
-        break;
-      default:
-        ellipse(paper, from, glm::abs(to - from), width, ink());
-    }
+    if (knob(kTool).index() == kLine) return paint_line(brush, *down_, to, width);
+    if (knob(kTool).index() == kBox) return paint_box(brush, *down_, to, width);
+    paint_ellipse(brush, *down_, glm::abs(to - *down_), width);
   }
 
   void dab(glm::ivec2 at) {
     if (knob(kTool).index() == kSpray) {
-      spray(glm::dvec2(at) + 0.5, 1.5 * width_of_brush(), kDropsAMove, random_, on(paper_, ink()));
+      spray(glm::dvec2(at) + 0.5, 1.5 * width_of_brush(), kDropsAMove, random_,
+            Brush{paper_, ink()});
     } else {
-      stroke(paper_, last_, at, width_of_brush(), ink());
+      paint_line({paper_, ink()}, last_, at, width_of_brush());
     }
     last_ = at;
   }
@@ -152,7 +96,7 @@ class Paint : public ClonableDemo<Paint, Lesson> {
     if (before_.size() > kMostUndone) before_.erase(before_.begin());
     down_ = last_ = at;
     if (knob(kTool).index() == kFill) {
-      flood_fill(paper_, at.x, at.y, Connectivity::kFour, on(paper_, ink()));
+      flood_fill(paper_, at.x, at.y, Connectivity::kFour, Brush{paper_, ink()});
     } else if (knob(kTool).index() < kFill) {
       dab(at);
     }
@@ -160,8 +104,8 @@ class Paint : public ClonableDemo<Paint, Lesson> {
   }
 
   bool pick(Srgb8 colour) {
-    for (std::size_t i = 0; i < kInks.size(); ++i) {
-      if (kInks[i] == colour) turn(kColour, static_cast<double>(i));
+    for (std::size_t i = 0; i < kPaints.size(); ++i) {
+      if (kPaints[i] == colour) turn(kColour, static_cast<double>(i));
     }
     return true;
   }
@@ -174,20 +118,11 @@ class Paint : public ClonableDemo<Paint, Lesson> {
     }
     if (key != "x") return false;
     before_.push_back(paper_);
-    paper_ = Image<Srgb8>(paper_.width(), paper_.height(), kPaper);
+    paper_ = Image<Srgb8>(paper_.width(), paper_.height(), kPaintPaper);
     return true;
   }
 
-  /// What was painted stays, with other pixels, where the resolution has changed.
-  static Image<Srgb8> sampled(const Image<Srgb8>& paper, int width, int height) {
-    Image<Srgb8> other(width, height);
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        other.at(x, y) = paper.at(x * paper.width() / width, y * paper.height() / height);
-      }
-    }
-    return other;
-  }
+  /// What was painted stays where the resolution has changed.
   void match_paper() {
     if (paper_.width() == world().columns()) return;
     paper_ = sampled(paper_, world().columns(), world().rows());

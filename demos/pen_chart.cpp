@@ -67,7 +67,7 @@ void PenChart::draw_curve(Canvas& canvas, const Rect& plot) const {
 }
 
 void PenChart::draw_signal(Canvas& canvas, const Rect& room) const {
-  canvas.fill(room, theme::kPanel, room.height * 0.06f);
+  canvas.fill(room, theme::with_alpha(theme::kPanel, 222), room.height * 0.06f);
   const Rect inside = room.shrunk(room.height * 0.1f);
   const float size = inside.height * 0.15f;
   const Rect plot{inside.x, inside.y, inside.width * 0.5f, inside.height};

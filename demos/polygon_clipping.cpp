@@ -62,7 +62,7 @@ class PolygonClipping : public ClonableDemo<PolygonClipping, Lesson> {
     if (std::max(std::abs(p.x), std::abs(p.y)) > kFarthest) {
       throw_bad_input("corners: within 100000 pixels");
     }
-    return world().named(corner(handle));
+    return named_point(handle);
   }
   bool answer(const InputEvent& event, LessonScreen::Spot at) override {
     if (event.kind == InputKind::kMouseDown && event.button == MouseButton::kRight) {
@@ -118,9 +118,11 @@ class PolygonClipping : public ClonableDemo<PolygonClipping, Lesson> {
     course.tracks.push_back(atherton_track(*followed, world(), 1));
     course.compare = !four->steps.empty() && !followed->steps.empty();
     const std::size_t pieces = followed->pieces.size();
-    course.remarks.push_back(fmt::format("{} piece{} beside {} polygon of {} corners", pieces,
-                                         pieces == 1 ? "" : "s", four->polygon.empty() ? 0 : 1,
-                                         four->polygon.size()));
+    const std::string one = four->polygon.empty()
+                                ? "no polygon"
+                                : fmt::format("1 polygon of {} corners", four->polygon.size());
+    course.remarks.push_back(
+        fmt::format("{} piece{} beside {}", pieces, pieces == 1 ? "" : "s", one));
     const World pane = world();
     course.painter = [four, followed, pane](std::size_t shown, int which, Image<Srgb8>& paper) {
       which == 0 ? paint(*four, shown, pane, paper) : paint(*followed, shown, pane, paper);

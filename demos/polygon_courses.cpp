@@ -57,14 +57,14 @@ void ink_contour(Ink& ink, const World& world, const Contour& contour, Srgb8 col
   // Always from the same end, so that an edge has the same pixels whichever way it is followed.
   contour_edges(contour, [&](glm::dvec2 a, glm::dvec2 b) {
     if (std::pair(b.x, b.y) < std::pair(a.x, a.y)) std::swap(a, b);
-    ink_line(ink, world, world.of_name(a), world.of_name(b), colour);
+    ink_line(ink, world, world.middle_of(a), world.middle_of(b), colour);
   });
 }
 
 template <typename Ink>
 void ink_chain(Ink& ink, const World& world, const Contour& chain, Srgb8 colour) {
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    ink_line(ink, world, world.of_name(chain[i]), world.of_name(chain[i + 1]), colour);
+    ink_line(ink, world, world.middle_of(chain[i]), world.middle_of(chain[i + 1]), colour);
   }
 }
 
@@ -72,7 +72,7 @@ void fill(const Region& region, const World& world, Image<Srgb8>& paper) {
   Polygon polygon;
   for (const Contour& contour : region) {
     polygon.emplace_back();
-    for (const glm::dvec2& p : contour) polygon.back().push_back(world.of_name(p));
+    for (const glm::dvec2& p : contour) polygon.back().push_back(world.middle_of(p));
   }
   scanline_fill(polygon, FillRule::kEvenOdd, world.window(), [&](const RowSpan& span) {
     std::fill_n(paper.row(span.y) + span.x_begin, span.length(), kInside);
@@ -141,7 +141,7 @@ Track atherton_track(const AthertonCourse& course, const World& world, int pane)
     const char* what = !at         ? "the piece is closed"
                        : s.on_clip ? "along the clip polygon"
                                    : "along the subject";
-    track.step({double(s.pieces) + (at ? 1 : 0), at ? at->x : 0, at ? at->y : 0},
+    track.step({double(s.pieces) + (at ? 1 : 0), at ? at->x : NAN, at ? at->y : NAN},
                fmt::format("{}\n", what) +
                    crossing_list("subject:", course, course.lists.along_subject, at) +
                    crossing_list("clip:", course, course.lists.along_clip, at));
@@ -156,7 +156,7 @@ void paint(const HodgmanCourse& course, std::size_t shown, const World& world,
   if (shown > course.steps.size()) return fill({course.polygon}, world, paper);
   const HodgmanStep& s = course.steps[shown - 1];
   ink_contour(ink, world, s.in, theme::kKeyCap);
-  ink_line(ink, world, world.of_name(s.edge.from), world.of_name(s.edge.to),
+  ink_line(ink, world, world.middle_of(s.edge.from), world.middle_of(s.edge.to),
            kCaseInks[static_cast<std::size_t>(s.edge.what)]);
   ink_chain(ink, world, s.out, theme::kText);
 }
@@ -176,7 +176,7 @@ void add_overlay(Overlay& over, const HodgmanCourse& course, std::size_t shown, 
   if (shown == 0 || shown > course.steps.size()) return;
   const HodgmanStep& s = course.steps[shown - 1];
   // The side's line through the whole pane.
-  const glm::dvec2 a = world.of_name(s.side.from), b = world.of_name(s.side.to), along = b - a;
+  const glm::dvec2 a = world.middle_of(s.side.from), b = world.middle_of(s.side.to), along = b - a;
   const double reach = 2.0 * (world.columns() + world.rows());
   const double length = std::hypot(along.x, along.y);
   if (!(length > 0)) return;
@@ -189,7 +189,7 @@ void add_overlay(Overlay& over, const AthertonCourse& course, std::size_t shown,
   if (shown == 0) return;
   for (std::size_t i = 0; i < course.lists.crossings.size(); ++i) {
     const ContourCrossing& x = course.lists.crossings[i];
-    over.labels.push_back({world.of_name(x.point),
+    over.labels.push_back({world.middle_of(x.point),
                            fmt::format("{}{}", i + 1, x.entering ? '+' : '-'),
                            x.entering ? theme::kGreen : theme::kRed, pane});
   }
@@ -198,7 +198,7 @@ void add_overlay(Overlay& over, const AthertonCourse& course, std::size_t shown,
 void add_outline(Overlay& over, const World& world, const Contour& contour, Srgb8 colour,
                  int pane) {
   contour_edges(contour, [&](glm::dvec2 a, glm::dvec2 b) {
-    over.guides.push_back({world.of_name(a), world.of_name(b), colour, pane});
+    over.guides.push_back({world.middle_of(a), world.middle_of(b), colour, pane});
   });
 }
 

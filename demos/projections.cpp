@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cmath>
 
 #include "demos/lesson/ink_lines.h"
 #include "demos/lesson/lesson.h"
@@ -28,6 +29,9 @@ enum {
   kTwo,
   kThree
 };
+
+/// Rounded, and none below zero for it.
+double hundredths(double value) { return std::round(100 * value) / 100 + 0.0; }
 
 class Projections : public ClonableDemo<Projections, Lesson> {
  public:
@@ -87,21 +91,20 @@ class Projections : public ClonableDemo<Projections, Lesson> {
     constexpr std::array kInks = {theme::kRed, theme::kGreen, theme::kBlue};
     const auto vanish = principal_vanishing_points(matrix);
     Course course;
-    Track track("edges", {"edge", "x", "y"});
-    int edge = 0;
+    Track track("edges", {"x", "y"});
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (unsigned i = 0; i < 8; ++i) {
         if (i & (1u << axis)) continue;
         const glm::dvec2 a(apply(matrix, corner(i))), b(apply(matrix, corner(i | (1u << axis))));
         ink_line(track, pane, place(a), place(b), kInks[axis]);
-        track.step({double(edge++), b.x, b.y});
+        track.step({b.x, b.y});
         if (vanish[axis]) course.guides.push_back({place(b), place(*vanish[axis]), theme::kDim});
       }
-      course.remarks.push_back(vanish[axis]
-                                   ? fmt::format("{} meets at ({:.2f}, {:.2f})", "xyz"[axis],
-                                                 vanish[axis] -> x, vanish[axis] -> y)
-                                   : fmt::format("{} stays parallel, {:.3f} long", "xyz"[axis],
-                                                 foreshortening(matrix)[static_cast<int>(axis)]));
+      course.remarks.push_back(
+          vanish[axis] ? fmt::format("{} meets at ({:.2f}, {:.2f})", "xyz"[axis],
+                                     hundredths(vanish[axis]->x), hundredths(vanish[axis]->y))
+                       : fmt::format("{} stays parallel, {:.3f} long", "xyz"[axis],
+                                     foreshortening(matrix)[static_cast<int>(axis)]));
     }
     course.tracks.push_back(std::move(track));
     return course;

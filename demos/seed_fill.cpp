@@ -136,7 +136,8 @@ DemoInfo seed_fill_demo() {
           [](const DemoSetup& setup) { return std::make_unique<SeedFill>(setup); },
           1,
           "drag the seed",
-          {"boundary fill", "flood fill", "4- and 8-connected", "recursive fill failing"}};
+          {"boundary fill", "flood fill", "4- and 8-connected", "span-based: no stack overflows",
+           "recursive fill failing on painted pixels and on its stack"}};
 }
 
 }  // namespace kinescope

@@ -14,9 +14,9 @@ namespace {
 enum { kKind, kHurst };
 enum { kExact, kQuasi, kStatistical };
 
-constexpr int kMagnifications = 9;
-constexpr std::array kFactors = {3, 2, 2};  // of a step
-constexpr int kMost = 300;                  // iterations
+constexpr std::array kMagnifications = {9, 6, 9};  // further in, the small set is all there is
+constexpr std::array kFactors = {3, 2, 2};         // of a step
+constexpr int kMost = 300;                         // iterations
 
 class SelfSimilarity : public ClonableDemo<SelfSimilarity, Lesson> {
  public:
@@ -115,7 +115,7 @@ class SelfSimilarity : public ClonableDemo<SelfSimilarity, Lesson> {
     const double factor = kFactors[static_cast<std::size_t>(kind)];
     Track whole("whole", {}, 0), part("magnified", {"magnified"}, 1);
     paint(whole, 0);
-    for (int step = 0; step < kMagnifications; ++step) {
+    for (int step = 0; step < kMagnifications[static_cast<std::size_t>(kind)]; ++step) {
       if (step > 0) frame(whole, std::pow(factor, -step));
       whole.step({});
       paint(part, step);

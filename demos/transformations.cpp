@@ -56,7 +56,7 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
  private:
   std::vector<TransformStep2> chain() const {
     const double amount = knob(kAmount).value;
-    const glm::dvec2 pivot = world().named(corner(kPivot));
+    const glm::dvec2 pivot = named_point(kPivot);
     switch (knob(kKind).index()) {
       case kRotation:
         return rotation_about_steps(pivot, 45 * amount);
@@ -94,9 +94,9 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
   void show(Track& track, const glm::dmat3& matrix, Srgb8 colour) const {
     const World pane = world();
     for (int i = 0; i < 3; ++i) {
-      const glm::dvec2 a = apply(matrix, pane.named(corner(i)));
-      const glm::dvec2 b = apply(matrix, pane.named(corner((i + 1) % 3)));
-      ink_line(track, pane, pane.of_name(a), pane.of_name(b), colour);
+      const glm::dvec2 a = apply(matrix, named_point(i));
+      const glm::dvec2 b = apply(matrix, named_point((i + 1) % 3));
+      ink_line(track, pane, pane.middle_of(a), pane.middle_of(b), colour);
     }
   }
 
@@ -109,16 +109,16 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
     }
     constexpr std::array kInks = {theme::kCool, theme::kGreen, theme::kBlue, theme::kKeyCap,
                                   theme::kDim};
-    Track track("triangle", {"step", "a x", "a y"});
-    const glm::dvec2 a = world().named(corner(0));
+    Track track("triangle", {"x of a", "y of a"});
+    const glm::dvec2 a = named_point(0);
     show(track, glm::dmat3(1.0), theme::kText);
-    track.step({0, a.x, a.y}, "as it is");
+    track.step({a.x, a.y}, "as it is");
     glm::dmat3 sofar(1.0);
     for (std::size_t i = 0; i < steps.size(); ++i) {
       sofar = steps[i].matrix * sofar;
       show(track, sofar, i + 1 == steps.size() ? theme::kAccent : kInks[i % kInks.size()]);
       const glm::dvec2 now = apply(sofar, a);
-      track.step({double(i + 1), now.x, now.y}, steps[i].name);
+      track.step({now.x, now.y}, steps[i].name);
     }
     Course course;
     course.tracks.push_back(std::move(track));
@@ -131,14 +131,12 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
     const World pane = world();
     // Where it all leads.
     for (int i = 0; i < 3; ++i) {
-      const auto goal = [&](int k) {
-        return pane.of_name(apply(sofar, pane.named(corner(k % 3))));
-      };
+      const auto goal = [&](int k) { return pane.middle_of(apply(sofar, named_point(k % 3))); };
       course.guides.push_back({goal(i), goal(i + 1), theme::kKeyCap});
     }
     const glm::dvec2 far(pane.columns(), pane.rows());
-    course.guides.push_back({pane.of_name({-far.x, 0}), pane.of_name({far.x, 0}), theme::kDim});
-    course.guides.push_back({pane.of_name({0, -far.y}), pane.of_name({0, far.y}), theme::kDim});
+    course.guides.push_back({pane.middle_of({-far.x, 0}), pane.middle_of({far.x, 0}), theme::kDim});
+    course.guides.push_back({pane.middle_of({0, -far.y}), pane.middle_of({0, far.y}), theme::kDim});
     return course;
   }
 };

@@ -32,7 +32,7 @@ Track cube_track(const TwinCubes& twins, bool reversed) {
     }
     track.step({end.x, end.y}, seen ? "" : "hidden by the cube itself\n");
   }
-  track.step({0, 0});
+  track.step({NAN, NAN});
   return track;
 }
 

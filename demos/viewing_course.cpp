@@ -121,6 +121,11 @@ glm::dvec3 ViewingCourse::eye(const Place& at) const {
   return apply(viewed(at), glm::dvec3(camera_.eye));
 }
 
+/// The view-up vector, carried along with the eye that it stands on.
+glm::dvec3 ViewingCourse::up(const Place& at) const {
+  return glm::dmat3(viewed(at)) * glm::dvec3(camera_.up);
+}
+
 /// As large as the volume and the eye allow.
 SpacePane ViewingCourse::pane(const Place& at, const World& world) const {
   glm::dvec3 low(1e300), high(-1e300);
@@ -188,6 +193,9 @@ Overlay ViewingCourse::overlay(std::size_t shown, const World& world) const {
         view.add_line(over, eye(at), corners[i], theme::kDim, 0);
       }
     }
+    const glm::dvec3 tip = eye(at) + 0.3 * view.reach * glm::normalize(up(at));
+    view.add_line(over, eye(at), tip, theme::kGreen, 0);
+    view.add_label(over, tip, "up", theme::kGreen, 0);
     view.add_label(over, eye(at), "eye", theme::kCool, 0);
   }
   view.add_axes(over, 0.4 * view.reach, 0);
@@ -212,7 +220,9 @@ glm::dvec4 ViewingCourse::traced(std::size_t shown) const {
 
 std::string ViewingCourse::note(std::size_t shown) const {
   const std::size_t stage = place(shown == 0 ? 0 : shown - 1).stage;
+  const glm::dvec3 up = this->up(place(shown));
   std::string text = fmt::format("{}/{}: {}\n", stage + 1, stages_.size(), stages_[stage].name);
+  if (stage < kClip) text += fmt::format("up is now {:.3f} {:.3f} {:.3f}\n", up.x, up.y, up.z);
   if (stage == kPlaced) text += matrix_lines(placements()[0]);
   if (stage >= kViewing && stage < kClip) text += matrix_lines(viewing_[stage - kViewing].matrix);
   if (stage >= kClip && stage < kDivision) {

@@ -57,6 +57,7 @@ class ViewingCourse {
   SpacePane pane(const Place& at, const World& world) const;
   std::array<glm::dvec3, 8> volume(const Place& at) const;
   glm::dvec3 eye(const Place& at) const;
+  glm::dvec3 up(const Place& at) const;
 
   Camera camera_;
   Axonometric from_;

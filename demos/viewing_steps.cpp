@@ -1,15 +1,18 @@
 // The viewing transformation, step by step: world, view volume, clipping, division, viewport.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "demos/viewing_course.h"
+#include "raster/base/error.h"
 #include "raster/scan/limits.h"
 
 namespace kinescope {
 namespace {
 
 enum { kProjection, kEye };
-enum { kUp, kDistance, kWidth, kAside };
+enum { kUpAngle, kDistance, kWidth, kAside };
 enum { kLow, kHigh };
 
 class ViewingSteps : public ClonableDemo<ViewingSteps, SpaceLesson> {
@@ -17,14 +20,16 @@ class ViewingSteps : public ClonableDemo<ViewingSteps, SpaceLesson> {
   explicit ViewingSteps(const DemoSetup& setup)
       : ClonableDemo(
             setup,
-            {.look_for = "The volume (blue) goes along until it is the canonical one; then plane "
-                         "after plane cuts (red), and after the division it is a box. Drag to look "
-                         "around, drag the viewport's corners.",
+            {.look_for =
+                 "The volume (blue) goes along until it is the canonical one; then plane "
+                 "after plane cuts (red), and after the division it is a box. Up (green) is a "
+                 "vector, and turns by an angle. Drag to look around.",
              .handles = {{"viewport", {0.1, 0.75}, 1}, {"opposite", {0.9, 0.3}, 1}},
              .figures = {{"up angle", 0, -180, 180, 5},
                          {"distance", 2, 0.5, 6, 0.25},
                          {"width", 2, 0.5, 6, 0.25},
                          {"aside", 0.5, -3, 3, 0.25}},
+             .words = Words{"up vector", "0 1 0"},
              .resolution = 7,
              .speed = 2},
             {choice_knob("projection", {"1", "2"}, {"perspective", "parallel"}, 0,
@@ -36,16 +41,24 @@ class ViewingSteps : public ClonableDemo<ViewingSteps, SpaceLesson> {
  private:
   glm::ivec2 panes() const override { return {2, 1}; }
 
+  /// As typed, then turned about the line of sight.
+  glm::dvec3 up(const glm::dvec3& sight) const {
+    const std::vector<double> typed = typed_numbers(words(), 3);
+    const glm::dvec3 given(typed[0], typed[1], typed[2]);
+    if (!(glm::length(glm::cross(given, sight)) > 1e-6 * glm::length(given))) {
+      throw_bad_input("up vector: it must have a length, and not lie along the line of sight");
+    }
+    return apply(rotation_about_deg({{}, sight}, figure(kUpAngle)), given);
+  }
+
   Camera camera() const {
     const glm::dvec3 look_at(0.4, 0.8, -0.6);
     const glm::dvec3 eye =
         apply(rotation_y_deg(knob(kEye).value), glm::dvec3(0, 2.6, 7.5)) + look_at;
-    const glm::dvec3 up =
-        apply(rotation_about_deg({{}, look_at - eye}, figure(kUp)), glm::dvec3(0, 1, 0));
     Camera camera;
     camera.eye = eye;
     camera.look_at = look_at;
-    camera.up = up;
+    camera.up = up(look_at - eye);
     camera.projection =
         knob(kProjection).index() == 0 ? Projection::kPerspective : Projection::kOrthographic;
     camera.view_distance = static_cast<float>(figure(kDistance));
@@ -76,7 +89,9 @@ class ViewingSteps : public ClonableDemo<ViewingSteps, SpaceLesson> {
     }
     Course course;
     course.tracks = {std::move(track), std::move(screen)};
-    course.remarks = {"x, y, z, w: the first house's front ridge"};
+    const glm::dvec3 up = camera().up;
+    course.remarks = {fmt::format("up ({:.3f}, {:.3f}, {:.3f}) in the world", up.x, up.y, up.z),
+                      "x, y, z, w: the first house's front ridge"};
     const World world = this->world();
     course.painter = [viewing, world](std::size_t shown, int pane, Image<Srgb8>& paper) {
       viewing->paint(shown, world, pane, paper);
@@ -96,7 +111,7 @@ DemoInfo viewing_steps_demo() {
           1,
           "drag to look around",
           {"objects in local coordinates placed in a world",
-           "view volume from eye, look, up, view distance and window size",
+           "view volume from eye, look, up (a vector or an angle), view distance and window size",
            "a window not square to the view axis", "the four steps of the viewing transformation",
            "clipping in homogeneous space against all six planes"}};
 }

@@ -38,10 +38,14 @@ class WindowToViewport : public ClonableDemo<WindowToViewport, Lesson> {
  private:
   glm::ivec2 panes() const override { return {2, 1}; }
 
+  /// The viewport's corners, only where it is what the window goes onto.
+  bool handle_in(int handle, int pane) const override {
+    return Lesson::handle_in(handle, pane) && (handle < kViewLow || knob(kOnto).index() == 0);
+  }
   Window between(int i, int j) const {
     check_coordinates(pixel(i));
     check_coordinates(pixel(j));
-    const glm::dvec2 a = corner(i), b = corner(j);
+    const glm::dvec2 a = named_point(i), b = named_point(j);
     return {{std::min(a.x, b.x), std::max(a.y, b.y)}, {std::max(a.x, b.x), std::min(a.y, b.y)}};
   }
   /// The normalized square, as large as the pane holds it.
@@ -59,10 +63,11 @@ class WindowToViewport : public ClonableDemo<WindowToViewport, Lesson> {
     return view;
   }
 
-  static void add_frame(Course& course, const Window& w, int pane) {
+  void add_frame(Course& course, const Window& w, int pane) const {
     const std::array<glm::dvec2, 4> c = {w.low, {w.high.x, w.low.y}, w.high, {w.low.x, w.high.y}};
     for (std::size_t i = 0; i < 4; ++i) {
-      course.guides.push_back({c[i], c[(i + 1) % 4], theme::kCool, pane});
+      course.guides.push_back(
+          {world().middle_of(c[i]), world().middle_of(c[(i + 1) % 4]), theme::kCool, pane});
     }
   }
 
@@ -108,18 +113,21 @@ class WindowToViewport : public ClonableDemo<WindowToViewport, Lesson> {
       const double x = place(pane.columns()), y = place(pane.rows());
       const glm::dvec2 p(x, y);
       const bool inside = clip.contains(p);
-      ink_point(world_track, pane, p, inside ? theme::kText : theme::kRed);
+      ink_point(world_track, pane, pane.middle_of(p), inside ? theme::kText : theme::kRed);
       world_track.step({x, y}, inside ? told(map, window, p) : "outside: thrown away\n");
       const glm::dvec2 q = apply(map, p);
-      if (inside) ink_point(screen, pane, q);
+      if (inside) ink_point(screen, pane, pane.middle_of(q));
       screen.step({q.x, q.y});
     }
     for (const Segment2& line : drawing()) {
       const auto part = clip_liang_barsky(clip, line);
-      ink_line(world_track, pane, line.from, line.to, theme::kRed);
+      const auto draw = [&](Track& track, const glm::dvec2& a, const glm::dvec2& b, Srgb8 colour) {
+        ink_line(track, pane, pane.middle_of(a), pane.middle_of(b), colour);
+      };
+      draw(world_track, line.from, line.to, theme::kRed);
       if (part) {
-        ink_line(world_track, pane, part->from, part->to, theme::kAccent);
-        ink_line(screen, pane, apply(map, part->from), apply(map, part->to), theme::kAccent);
+        draw(world_track, part->from, part->to, theme::kAccent);
+        draw(screen, apply(map, part->from), apply(map, part->to), theme::kAccent);
       }
       const glm::dvec2 q = apply(map, line.to);
       world_track.step({line.to.x, line.to.y}, told(map, window, line.to));

@@ -160,7 +160,8 @@ DemoInfo wireframe_demo() {
           "A solid as a list of edges, hidden lines removed, turning as fast as the tube allows",
           create,
           1,
-          "drag or arrow keys to orbit, wheel to go near"};
+          "drag or arrow keys to orbit, wheel to go near",
+          {"random scan: a solid as a list of edges"}};
 }
 
 }  // namespace kinescope

@@ -25,8 +25,9 @@ inline void check_radius(glm::ivec2 centre, int radius) {
 template <typename Octant, typename State>
 Track octant_track(std::string name, std::string column, Octant octant, glm::ivec2 centre, int pane,
                    State&& state) {
+  constexpr Srgb8 kPlum{190, 96, 200, 255};
   constexpr std::array kInks = {theme::kText, theme::kAccent, theme::kCool, theme::kGreen,
-                                theme::kBlue, theme::kKeyCap, theme::kDim,  theme::kAccent};
+                                theme::kBlue, theme::kRed,    theme::kDim,  kPlum};
   Track track(std::move(name), {"x", "y", std::move(column)}, pane);
   while (octant.next()) {
     std::size_t mirror = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "demos/lesson/track.h"
 #include "demos/lesson/world.h"
@@ -30,6 +31,26 @@ void ink_line(Ink& ink, const World& world, const glm::dvec2& from, const glm::d
   if (!part) return;
   BresenhamSteps line(glm::ivec2(part->from), glm::ivec2(part->to));
   while (line.next()) ink.plot(line.at().x, line.at().y, colour);
+}
+
+/// Plots those of a segment's pixels that a part of it passes: a part's own might be others.
+template <typename Ink>
+void ink_part(Ink& ink, const World& world, const Segment2& whole, const Segment2& part,
+              Srgb8 colour) {
+  const glm::dvec2 way = whole.to - whole.from;
+  const auto along = [&](const glm::dvec2& p) { return glm::dot(p - whole.from, way); };
+  const auto [low, high] = std::minmax({along(part.from), along(part.to)});
+  struct Between {
+    Ink& ink;
+    glm::dvec2 from, way;
+    double low, high;
+    void plot(int x, int y, Srgb8 c) const {
+      const double at = glm::dot(glm::dvec2(x, y) + 0.5 - from, way);
+      if (at >= low && at <= high) ink.plot(x, y, c);
+    }
+  };
+  const Between between{ink, whole.from, way, low, high};
+  ink_line(between, world, whole.from, whole.to, colour);
 }
 
 /// Plots a point's pixel, if it lies in the pane.

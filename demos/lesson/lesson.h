@@ -24,6 +24,7 @@ struct Handle {
   std::string label;
   glm::dvec2 at{0};  ///< in a plan: shares of the world's width and height
   int pane = -1;     ///< where it may be dragged; -1: in all
+  int follows = -1;  ///< the handle that takes it along
 };
 
 /// A figure of the input, with a field and a slider. What is typed may lie outside the slider.
@@ -144,10 +145,15 @@ class Lesson : public Demo {
   glm::dvec2 corner(int handle) const {
     return plan_.handles[static_cast<std::size_t>(handle)].at + 0.5;
   }
+  /// A handle as its user names it.
+  glm::dvec2 named_point(int handle) const {
+    return world().named(plan_.handles[static_cast<std::size_t>(handle)].at);
+  }
   std::size_t corners() const { return plan_.handles.size(); }
   double figure(int index) const { return plan_.figures[static_cast<std::size_t>(index)].value; }
   const std::string& words() const { return plan_.words->text; }
   int whole_figure(int index) const;  ///< @throws Error (bad input) if it is no int
+  void move_handle(std::size_t handle, glm::dvec2 to);
   void set_figure(int index, double value) {
     plan_.figures[static_cast<std::size_t>(index)].value = value;
   }

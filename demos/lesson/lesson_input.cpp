@@ -49,10 +49,18 @@ bool Lesson::take_mouse(const InputEvent& event) {
   if (event.kind == InputKind::kMouseMove && held_slider_ >= 0) return press(event.x, event.y);
   if (event.kind == InputKind::kMouseMove && held_ != kNoHandle) {
     const LessonScreen::Spot spot = screen_.spot_in(world(), held_pane_, event.x, event.y);
-    plan_.handles[static_cast<std::size_t>(held_)].at = glm::floor(spot.at);
+    move_handle(static_cast<std::size_t>(held_), glm::floor(spot.at));
     return true;
   }
   return answer(event, screen_.spot(world(), event.x, event.y));
+}
+
+void Lesson::move_handle(std::size_t handle, glm::dvec2 to) {
+  const glm::dvec2 way = to - plan_.handles[handle].at;
+  for (Handle& other : plan_.handles) {
+    if (other.follows == static_cast<int>(handle)) other.at += way;
+  }
+  plan_.handles[handle].at = to;
 }
 
 /// Of fields: a figure's is always there.
@@ -183,7 +191,7 @@ bool Lesson::accept() {
   try {
     const std::vector<double> typed = typed_numbers(field_.text, point ? 2 : 1);
     if (point) {
-      plan_.handles[i].at = world().of_name({typed[0], typed[1]});
+      move_handle(i, world().of_name({typed[0], typed[1]}));
     } else {
       plan_.figures[i - plan_.handles.size()].value = typed[0];
     }

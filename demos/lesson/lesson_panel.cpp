@@ -15,7 +15,9 @@ namespace {
 constexpr float kHintRoom = 86;        // below the picture, with the window's own line
 constexpr std::size_t kMostLit = 256;  // pixels of a step: fewer have a frame around each
 
+/// Nothing of a value that is none.
 std::string cell(double value) {
+  if (std::isnan(value)) return "";
   if (value == std::floor(value) && std::abs(value) < 1e9) return fmt::format("{:.0f}", value);
   // Great numbers leave decimals out, so that columns stay apart.
   const double size = std::abs(value);
@@ -187,13 +189,14 @@ void Lesson::draw_pane(Canvas& canvas, const World& world, int pane, const Overl
     const float half = studio().sans.width_px(label.words, size) / 2 + 3 * scale;
     const glm::vec2 at = place(label.at);
     canvas.fill({at.x - half, at.y - size * 0.6f, 2 * half, size * 1.2f},
-                theme::with_alpha(theme::kBackground, 200), 3 * scale);
+                theme::with_alpha(theme::kBackground, 235), 3 * scale);
     canvas.text(studio().sans, at + glm::vec2(0, size * 0.36f), label.words, size, label.colour,
                 Align::kCentre);
   }
   for (std::size_t i = 0; i < plan_.handles.size(); ++i) {
     if (!handle_in(static_cast<int>(i), pane)) continue;
     const glm::vec2 at = place(plan_.handles[i].at + 0.5);
+    canvas.disc(at, 8.5f * scale, theme::with_alpha(theme::kBackground, 150));
     canvas.disc(at, 7 * scale, theme::with_alpha(theme::kAccent, 150));
     canvas.disc(at, 3 * scale, theme::kAccentDark);
   }
@@ -232,7 +235,7 @@ void Lesson::draw_marks(Canvas& canvas, const World& world) const {
     canvas.fill({at.x, at.y + static_cast<float>(above) * line, wide, line + 6 * scale},
                 theme::kPanel);
     canvas.text(studio().sans, at + glm::vec2(6 * scale, static_cast<float>(1 + above) * line),
-                track.name(), size, track.ink());
+                track.name(), size, track.ink() == theme::kKeyCap ? theme::kDim : track.ink());
   }
 }
 

@@ -1,5 +1,6 @@
 #include "demos/lesson/photograph.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -64,6 +65,21 @@ Image<Srgb8> photograph(Workers& workers, int width, int height) {
   settings.shading = ShadingModel::kPhong;
   renderer.render(still_life(), camera, settings, target);
   return target.srgb8();
+}
+
+Image<Srgb8> lit_ball(int width, int height) {
+  Image<Srgb8> image(width, height);
+  const double w = image.width(), h = image.height(), r = 0.36 * std::min(w, h);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const double u = (x + 0.5 - w / 2) / r, v = (y + 0.5 - h / 2) / r, n2 = 1 - u * u - v * v;
+      const double lit = std::max(0.0, (-0.5 * u - 0.6 * v + 0.62 * std::sqrt(std::max(n2, 0.0))));
+      const auto light =
+          static_cast<float>(std::clamp(n2 > 0 ? 0.03 + 0.95 * lit : 0.6 * (x + 0.5) / w, 0., 1.));
+      image.at(x, y) = encode_srgb8(LinearRgb{light, light, light});
+    }
+  }
+  return image;
 }
 
 GreyImage grey_of(const Image<Srgb8>& picture, bool linear) {

@@ -10,6 +10,9 @@ namespace kinescope {
 /// The teapot on a table before a wall, in daylight and lamplight.
 Image<Srgb8> photograph(Workers& workers, int width, int height);
 
+/// A lit ball over a slope of greys.
+Image<Srgb8> lit_ball(int width, int height);
+
 /// Its encoded codes of grey; `linear`: its light instead, for ditherers.
 GreyImage grey_of(const Image<Srgb8>& picture, bool linear);
 

@@ -28,6 +28,8 @@ struct World {
   glm::dvec2 of_name(glm::dvec2 p) const {
     return centred ? glm::dvec2(p.x + columns() / 2, rows() / 2 - p.y) : p;
   }
+  /// Where a point so named is drawn: in the middle of its pixel.
+  glm::dvec2 middle_of(glm::dvec2 name) const { return of_name(name) + 0.5; }
 };
 
 }  // namespace kinescope

@@ -1,6 +1,7 @@
 #include "demos/ui/form.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "demos/ui/theme.h"
 #include "demos/ui/widgets.h"
@@ -8,7 +9,7 @@
 namespace kinescope {
 namespace {
 
-constexpr float kRow = 17, kTableRow = 16, kControl = 24, kPadding = 8;
+constexpr float kRow = 17, kTableRow = 16, kControl = 24, kPadding = 8, kGap = 7;
 
 }  // namespace
 
@@ -86,20 +87,40 @@ void Form::buttons(const std::vector<Button>& row) {
   y_ += px(kControl + 6);
 }
 
+/// Where the columns end: each is as wide as what stands in it, and has its share of what is left.
+std::vector<float> Form::column_ends(const Table& table, std::size_t shown, float& size) const {
+  std::vector<float> ends;
+  for (const std::string& name : table.columns) ends.push_back(studio_.mono.width_px(name, size));
+  for (std::size_t row = table.rows.size() - shown; row < table.rows.size(); ++row) {
+    for (std::size_t i = 0; i < std::min(ends.size(), table.rows[row].size()); ++i) {
+      ends[i] = std::max(ends[i], studio_.mono.width_px(table.rows[row][i], size));
+    }
+  }
+  const float room = area_.width - px(4), gaps = px(kGap) * static_cast<float>(ends.size());
+  const float needed = std::accumulate(ends.begin(), ends.end(), 0.0f);
+  const float shrunk = std::min(1.0f, room / std::max(needed + gaps, 0.01f));
+  size *= shrunk;
+  const float gap = (room - needed * shrunk) / static_cast<float>(ends.size());
+  float end = area_.x;
+  for (float& width : ends) width = end += width * shrunk + gap;
+  return ends;
+}
+
 void Form::table(const Table& table, float bottom) {
   const auto count = table.columns.size();
   if (count == 0) return;
-  const float width = area_.width / static_cast<float>(count), size = px(theme::kSmall * 0.95f);
+  const float room = std::max(0.0f, bottom - y_ - px(kTableRow)) / std::max(px(kTableRow), 0.01f);
+  const auto shown = std::min(table.rows.size(), static_cast<std::size_t>(room));
+  if (shown == 0 && !table.rows.empty()) return;  // names alone tell nothing
+  float size = px(theme::kSmall * 0.95f);
+  const std::vector<float> ends = column_ends(table, shown, size);
   const auto line = [&](const std::vector<std::string>& cells, Srgb8 colour) {
     y_ += px(kTableRow);
     for (std::size_t i = 0; i < std::min(count, cells.size()); ++i) {
-      const float right = area_.x + width * static_cast<float>(i + 1) - px(4);
-      canvas_.text(studio_.mono, {right, y_ - px(4)}, cells[i], size, colour, Align::kRight);
+      canvas_.text(studio_.mono, {ends[i], y_ - px(4)}, cells[i], size, colour, Align::kRight);
     }
   };
   line(table.columns, theme::kDim);
-  const float room = std::max(0.0f, bottom - y_) / std::max(px(kTableRow), 0.01f);
-  const auto shown = std::min(table.rows.size(), static_cast<std::size_t>(room));
   for (std::size_t i = table.rows.size() - shown; i < table.rows.size(); ++i) {
     const bool marked = i < table.marked.size() && table.marked[i];
     const bool last = i + 1 == table.rows.size();

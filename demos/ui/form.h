@@ -56,6 +56,7 @@ class Form {
 
  private:
   float px(float size) const { return size * scale_; }
+  std::vector<float> column_ends(const Table& table, std::size_t shown, float& size) const;
   void words(float x, std::string_view text, float size, Srgb8 colour, Align align);
 
   Canvas& canvas_;

@@ -6,7 +6,7 @@
 namespace kinescope::theme {
 
 inline constexpr Srgb8 kBackground{14, 15, 18, 255};
-inline constexpr Srgb8 kPanel{20, 22, 27, 222};
+inline constexpr Srgb8 kPanel{20, 22, 27, 242};
 inline constexpr Srgb8 kRule{255, 255, 255, 26};
 inline constexpr Srgb8 kKeyCap{52, 56, 66, 255};
 inline constexpr Srgb8 kText{236, 234, 226, 255};

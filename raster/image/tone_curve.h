@@ -22,6 +22,27 @@ inline Histogram histogram(const GreyImage& image) {
   return counts;
 }
 
+/// Mean and standard deviation of the tones, and how many there are; all 0 of no pixels.
+struct ToneSpread {
+  double mean = 0, deviation = 0;
+  int tones = 0;
+};
+inline ToneSpread tone_spread(const Histogram& counts) {
+  double count = 0, sum = 0, squares = 0;
+  ToneSpread spread;
+  for (std::size_t tone = 0; tone < counts.size(); ++tone) {
+    const auto n = static_cast<double>(counts[tone]), t = static_cast<double>(tone);
+    count += n;
+    sum += n * t;
+    squares += n * t * t;
+    spread.tones += counts[tone] > 0;
+  }
+  if (count == 0) return spread;
+  spread.mean = sum / count;
+  spread.deviation = std::sqrt(std::max(0.0, squares / count - spread.mean * spread.mean));
+  return spread;
+}
+
 /// A curve from a function of tones from 0 to 1; what it makes of them is clamped.
 template <typename Function>
 ToneCurve tone_curve(Function&& function) {

@@ -170,9 +170,8 @@ TEST(ClippingLessons, AWindowGoesOntoAViewport) {
               &view = user.lesson().course().tracks[1];
   ASSERT_GT(world.steps(), 60u);
   for (std::size_t i = 0; i < world.steps(); ++i) {
-    // Corners stand in the middles of pixels.
-    EXPECT_NEAR(view.values(i)[0], 5.5 + 1.5 * (world.values(i)[0] - 10.5), 1e-9);
-    EXPECT_NEAR(view.values(i)[1], 90.5 + 0.75 * (world.values(i)[1] - 100.5), 1e-9);
+    EXPECT_NEAR(view.values(i)[0], 5 + 1.5 * (world.values(i)[0] - 10), 1e-9);
+    EXPECT_NEAR(view.values(i)[1], 90 + 0.75 * (world.values(i)[1] - 100), 1e-9);
   }
   for (const Mark& mark : view.all_marks()) {
     EXPECT_TRUE(mark.x >= 5 && mark.x <= 65 && mark.y >= 30 && mark.y <= 90);
@@ -180,7 +179,7 @@ TEST(ClippingLessons, AWindowGoesOntoAViewport) {
   const double first = world.values(0)[0];
   user.pass({key_down("k")});  // the window is half as wide as high: so is the viewport
   const Track& kept = user.lesson().course().tracks.at(1);
-  EXPECT_NEAR(kept.values(0)[0], 5.5 + 0.75 * (first - 10.5), 1e-9);
+  EXPECT_NEAR(kept.values(0)[0], 5 + 0.75 * (first - 10), 1e-9);
 }
 
 TEST(ClippingLessons, TheViewingStepsEndWhereAPinholeCameraDoes) {
@@ -223,6 +222,33 @@ TEST(ClippingLessons, TheViewingStepsEndWhereAPinholeCameraDoes) {
     }
   }
   EXPECT_GT(inside, 200);
+}
+
+TEST(ClippingLessons, UpIsAVectorThatAnAngleTurns) {
+  LessonUser user("viewing-steps");
+  const auto told = [&](const std::string& up) {
+    return user.lesson().course().remarks.at(0) == "up (" + up + ") in the world";
+  };
+  EXPECT_TRUE(told("0.000, 1.000, 0.000"));
+  // Once the line of sight lies along -z, up lies along y.
+  const Track& track = user.lesson().course().tracks.at(0);
+  EXPECT_NE(track.note(23).find("up is now 0.000 "), std::string::npos) << track.note(23);
+  EXPECT_NE(track.note(0).find("up is now 0.000 1.000 0.000"), std::string::npos);
+  // Its tip is drawn, and moves when the vector is turned.
+  const auto tip = [&] {
+    for (const Label& label : user.lesson().course().overlay(0).labels) {
+      if (label.words == "up") return label.at;
+    }
+    return glm::dvec2(NAN);
+  };
+  const glm::dvec2 upright = tip();
+  user.type(2, "90");
+  EXPECT_FALSE(told("0.000, 1.000, 0.000"));
+  EXPECT_GT(glm::distance(tip(), upright), 1);
+  EXPECT_EQ(user.lesson().fault(), "");
+  LessonUser wrong("viewing-steps");
+  wrong.type(6, " 0");
+  EXPECT_NE(wrong.lesson().fault(), "") << "four numbers";
 }
 
 TEST(ClippingLessons, LookingRoundKeepsTheStep) {

@@ -59,6 +59,34 @@ TEST(CurveLessons, ADraggedPointMovesTheCardinalSplineNearIt) {
   }
 }
 
+TEST(CurveLessons, ASlopesTipGoesAlongWithItsPoint) {
+  LessonUser user("splines");
+  const Track unmoved = track(user, 0);
+  const glm::dvec2 way(15, 9);
+  for (const std::size_t i : {0u, 1u, 2u, 3u, 4u}) {
+    const glm::dvec2 at = point(unmoved, 40 * i);
+    user.drag(at, at + way);
+  }
+  // All points moved alike, to a pixel, and their slopes with them: so did the curve. Slopes left
+  // behind would bend it by 7 pixels.
+  for (std::size_t i = 0; i < unmoved.steps(); ++i) {
+    EXPECT_LT(glm::distance(point(track(user, 0), i), point(unmoved, i) + way), 2) << i;
+  }
+}
+
+TEST(CurveLessons, GivenKnotsAreThoseTyped) {
+  LessonUser user("b-splines");
+  user.pass({key_down("k"), key_down("k")});
+  EXPECT_TRUE(tells(user, "knots 0 0 0 0 1 1 4 4 4 4"));
+  EXPECT_TRUE(tells(user, "2 Bezier pieces of degree 3"));
+  user.type(6, " 5");
+  EXPECT_NE(user.lesson().fault().find("10"), std::string::npos) << user.lesson().fault();
+  LessonUser falls("b-splines");
+  falls.pass({key_down("k"), key_down("k")});
+  falls.pass({key_down("1")});  // of order 3 there must be nine
+  EXPECT_NE(falls.lesson().fault(), "");
+}
+
 TEST(CurveLessons, TensionOneMakesCardinalPiecesStraight) {
   LessonUser user("splines");
   for (int i = 0; i < 10; ++i) user.pass({key_down("2")});

@@ -21,9 +21,11 @@ TEST(EngineLessons, ADraggedLineIsClippedAsTheLibraryClipsIt) {
   user.pass({user.mouse(InputKind::kMouseDown, corner(0.05, 0.15))});
   user.pass({user.mouse(InputKind::kMouseMove, from)});
   user.pass({user.mouse(InputKind::kMouseUp, from)});
-  const glm::dvec2 a = world.named(corner(0.25, 0.75)), b = world.named(corner(0.75, 0.25));
-  const auto left = clip_liang_barsky({glm::min(a, b), glm::max(a, b)},
-                                      {world.named(from), world.named(corner(0.95, 0.7))});
+  // Pixels by their names, as they would be typed.
+  const auto named = [&](glm::dvec2 middle) { return world.named(middle - 0.5); };
+  const glm::dvec2 a = named(corner(0.25, 0.75)), b = named(corner(0.75, 0.25));
+  const auto left =
+      clip_liang_barsky({glm::min(a, b), glm::max(a, b)}, {named(from), named(corner(0.95, 0.7))});
   ASSERT_TRUE(left);
   EXPECT_EQ(user.lesson().course().remarks.at(0),
             fmt::format("inside: ({:.2f}, {:.2f}) to ({:.2f}, {:.2f})", left->from.x, left->from.y,
@@ -64,6 +66,13 @@ TEST(EngineLessons, AClickHalvesTheMandelbrotSetsView) {
   }
   EXPECT_EQ(cells, (std::set<double>{1, 2, 4, 8, 16}));
   EXPECT_EQ(rows, view.height);
+}
+
+TEST(EngineLessons, AJuliaSetIsShownWhole) {
+  LessonUser user("mandelbrot");
+  EXPECT_EQ(user.lesson().course().remarks.at(0), "centre -0.75");
+  user.pass({key_down("2")});
+  EXPECT_EQ(user.lesson().course().remarks.at(0), "centre 0");
 }
 
 TEST(EngineLessons, TheSetIsRecordedFinerOnlyAsItIsShown) {

@@ -12,6 +12,7 @@
 #include "engine/fractals/gasket.h"
 #include "engine/fractals/ifs.h"
 #include "engine/fractals/plasma.h"
+#include "engine/fractals/random_koch.h"
 #include "engine/fractals/turtle.h"
 #include "raster/base/error.h"
 #include "raster/base/simd.h"
@@ -52,6 +53,19 @@ TEST(LSystem, KochKeepsItsEnds) {
   });
   EXPECT_EQ(segments, 1024);
   EXPECT_NEAR(glm::distance(last, Vec(1, 0)), 0, 1e-12);
+}
+
+TEST(RandomKoch, HasTheLinesOfKochsCurveButNotItsTurns) {
+  SeededRandom random(7), other(8);
+  const auto curve = random_koch_curve(4, random);
+  ASSERT_EQ(curve.size(), 257u);
+  EXPECT_EQ(curve.front(), glm::dvec2(0, 0));
+  EXPECT_EQ(curve.back(), glm::dvec2(1, 0));
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+    EXPECT_NEAR(glm::distance(curve[i], curve[i + 1]), std::pow(3.0, -4), 1e-12);
+  }
+  EXPECT_NE(random_koch_curve(4, other), curve);
+  EXPECT_EQ(random_koch_curve(-3, random).size(), 2u);
 }
 
 TEST(LSystem, WithoutEndIsRefused) {

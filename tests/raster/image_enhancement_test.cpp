@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -28,6 +29,16 @@ GreyImage noise(int width, int height, unsigned seed, int tones = 256) {
 /// The pixel as the filters see it beyond the edges.
 int code(const GreyImage& image, int x, int y) {
   return image.at(std::clamp(x, 0, image.width() - 1), std::clamp(y, 0, image.height() - 1));
+}
+
+TEST(ToneSpread, IsTheMeanAndDeviationByDefinition) {
+  Histogram counts{};
+  counts[10] = 3, counts[50] = 1;
+  const ToneSpread spread = tone_spread(counts);
+  EXPECT_DOUBLE_EQ(spread.mean, 20);
+  EXPECT_DOUBLE_EQ(spread.deviation, std::sqrt((3 * 100.0 + 900) / 4));
+  EXPECT_EQ(spread.tones, 2);
+  EXPECT_EQ(tone_spread(Histogram{}).deviation, 0);
 }
 
 TEST(ToneCurve, EqualizingIsTheShareOfPixelsThatAreAsDark) {
