@@ -140,6 +140,9 @@ HWY_INLINE void AlongCurve(const AcrossCurve& curve, CellRows cells, SpreadRows 
     const float slope = (node[group + 1] - node[group]) * (1.0f / kGroup);
     const float stretch = 1 / std::max(slope, 1e-6f);  // pixels a cell
     const Floats gain = set(slope * pixels_a_cell);
+    // Eight columns within eight cells, however their places are rounded. Beyond the glass a bent
+    // line may run back.
+    const bool near = slope >= 0 && slope < 0.98f;
     CurvePlace place{};
     place.narrow_step = set(stretch * narrow);
     place.wide_step = set(stretch * wide);
@@ -149,8 +152,8 @@ HWY_INLINE void AlongCurve(const AcrossCurve& curve, CellRows cells, SpreadRows 
       const Floats start = hn::Floor(hn::Sub(place.cell, set(0.5f * kTaps - 0.5f)));
       place.start = hn::Min(hn::Max(start, least), most);
       const auto first = hn::ConvertTo(di, place.start);
-      const Pair sum = slope <= 1 ? CurvedSum<kTaps>(place, NearCells(cells, first))
-                                  : CurvedSum<kTaps>(place, FarCells(cells, first));
+      const Pair sum = near ? CurvedSum<kTaps>(place, NearCells(cells, first))
+                            : CurvedSum<kTaps>(place, FarCells(cells, first));
       hn::StoreU(hn::Mul(sum.narrow, gain), d, out.narrow + group * kGroup + x);
       hn::StoreU(hn::Mul(sum.wide, gain), d, out.wide + group * kGroup + x);
     }
