@@ -3,7 +3,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-fpch-preprocess)  # so that ccache sees what they hold
 else()
   add_compile_options("SHELL:-Xclang -fno-pch-timestamp")  # their contents alone count, for ccache too
-  # Precompiled, libstdc++ forgets the pragmas that silence its own use of what it calls deprecated.
+  # Precompiled, libstdc++ forgets the pragmas that silence its own use of what it calls deprecated. Of our
+  # use of such things g++'s builds tell.
   add_compile_options(-Wno-deprecated-declarations)
 endif()
 

@@ -213,6 +213,16 @@ TEST(ProgramVector, DisplayFilesThereAndBack) {
   EXPECT_GT(lit_pixels(folder / "a.png"), 400);
 }
 
+TEST(ProgramVector, AListMayBeLongerThanItsMachinesMemory) {
+  TemporaryFolder folder;
+  std::string list = "again: move 100 100\n";
+  for (int i = 0; i < 50'000; ++i) list += i % 2 == 0 ? "rdraw 7 5\n" : "rdraw -7 -5\n";
+  write_text(folder / "a.txt", list + "jump again\n");
+  const RunResult run = run_kinescope({"vector", "a.txt", "--segments"}, {.folder = folder.path()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 50'000);
+}
+
 TEST(ProgramVector, ARefreshBeginsWithTheBeamAtItsPlace) {
   TemporaryFolder folder;
   // A line from the corner; the list ends far from it.
