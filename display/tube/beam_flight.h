@@ -30,7 +30,7 @@ class FlightPath {
 
   int width_, height_;
   Deflection deflection_;
-  Camera camera_;
+  GlassCamera camera_;
   SpotModel spot_;
   double pixels_a_mm_, cell_pixels_;
 };

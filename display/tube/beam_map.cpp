@@ -57,7 +57,7 @@ float line_span(const BeamMap& map, int tile_nodes) {
 BeamMap beam_map(const TubeSettings& settings, int gun, int cells, int lines, int width, int height,
                  int tile_columns) {
   const Deflection deflection(settings.deflection, settings.glass, gun);
-  const Camera camera(settings.glass);
+  const GlassCamera camera(settings.glass);
   BeamMap map;
   map.columns = (width + kGroup - 1) / kGroup + 1;
   map.rows = (height + kGroup - 1) / kGroup + 1;

@@ -69,7 +69,7 @@ bool is_separable(const TubeSettings& settings) {
   return apart;
 }
 
-Camera::Camera(const GlassSettings& glass)
+GlassCamera::GlassCamera(const GlassSettings& glass)
     : half_width_mm_(half_height_mm(glass) * glass.aspect),
       half_height_mm_(half_height_mm(glass)),
       radius_mm_(glass.curvature_mm),
@@ -84,7 +84,7 @@ Camera::Camera(const GlassSettings& glass)
 }
 
 /// Along the sphere from its middle, of what the camera sees `slope` from its axis.
-double Camera::along_glass(double slope) const {
+double GlassCamera::along_glass(double slope) const {
   // The ray (slope * z, z) meets the sphere about (0, distance + radius).
   const double centre = distance_mm_ + radius_mm_;
   const double a = 1 + slope * slope;
@@ -95,7 +95,7 @@ double Camera::along_glass(double slope) const {
   return radius_mm_ * std::asin(slope * z / radius_mm_);
 }
 
-Place Camera::glass_of_picture(Place picture) const {
+Place GlassCamera::glass_of_picture(Place picture) const {
   if (radius_mm_ <= 0) return picture;
   const double x = picture.x * half_width_mm_ * scale_, y = picture.y * half_height_mm_ * scale_;
   const double slope = std::hypot(x, y);
@@ -104,7 +104,7 @@ Place Camera::glass_of_picture(Place picture) const {
   return {along * x / slope / half_width_mm_, along * y / slope / half_height_mm_};
 }
 
-Place Camera::picture_of_glass(Place glass) const {
+Place GlassCamera::picture_of_glass(Place glass) const {
   if (radius_mm_ <= 0) return glass;
   const double x = glass.x * half_width_mm_, y = glass.y * half_height_mm_;
   const double along = std::hypot(x, y);

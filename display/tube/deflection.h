@@ -39,9 +39,9 @@ class Deflection {
 bool is_separable(const TubeSettings& settings);
 
 /// The camera looks at the middle of the glass from in front. A curved faceplate bulges towards it.
-class Camera {
+class GlassCamera {
  public:
-  explicit Camera(const GlassSettings& glass);
+  explicit GlassCamera(const GlassSettings& glass);
   /// The place on the glass that a place of the camera's picture shows: places on a curved glass
   /// are measured along it.
   Place glass_of_picture(Place picture) const;

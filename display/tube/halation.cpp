@@ -40,7 +40,7 @@ Halation::Halation(const TubeSettings& s, int width, int height)
   blocks_across_ = (cells_ + block_cells_ - 1) / block_cells_ + 2;
   blocks_down_ = (lines_ + block_lines_ - 1) / block_lines_ + 2;
   const Deflection deflection(s.deflection, s.glass, 1);
-  const Camera camera(s.glass);
+  const GlassCamera camera(s.glass);
   for (int j = 0; j < coarse_height_; ++j) {
     for (int i = 0; i < coarse_width_; ++i) {
       const Place picture{2.0 * i * step_ / width - 1, 2.0 * j * step_ / height - 1};

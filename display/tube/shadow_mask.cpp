@@ -49,7 +49,7 @@ class GlassView {
  private:
   static Place between(Place a, Place b) { return {b.x - a.x, b.y - a.y}; }
 
-  Camera camera_;
+  GlassCamera camera_;
   double half_x_ = 0, half_y_ = 0;
   int width_, height_;
 };

@@ -6,7 +6,7 @@
 
 namespace kinescope {
 
-PixelRect clipped(PixelRect rect, int width, int height) {
+PictureRect clipped(PictureRect rect, int width, int height) {
   using Wide = std::int64_t;
   const Wide right = std::min<Wide>(Wide{rect.x} + rect.width, width);
   const Wide bottom = std::min<Wide>(Wide{rect.y} + rect.height, height);
@@ -30,8 +30,8 @@ void blend(Srgb8& below, LinearRgba colour, float opacity) {
       LinearRgba{mix(colour.r, under.r), mix(colour.g, under.g), mix(colour.b, under.b), total});
 }
 
-void fill_rect(Image<Srgb8>& picture, PixelRect rect, Srgb8 colour) {
-  const PixelRect area = clipped(rect, picture.width(), picture.height());
+void fill_rect(Image<Srgb8>& picture, PictureRect rect, Srgb8 colour) {
+  const PictureRect area = clipped(rect, picture.width(), picture.height());
   const LinearRgba light = decode(colour);
   for (int y = area.y; y < area.y + area.height; ++y) {
     Srgb8* row = picture.row(y) + area.x;
@@ -39,16 +39,16 @@ void fill_rect(Image<Srgb8>& picture, PixelRect rect, Srgb8 colour) {
   }
 }
 
-void frame_rect(Image<Srgb8>& picture, PixelRect rect, Srgb8 colour, int thickness) {
+void frame_rect(Image<Srgb8>& picture, PictureRect rect, Srgb8 colour, int thickness) {
   const auto [x, y, w, h] = rect;
   if (2 * thickness >= std::min(w, h)) {
     fill_rect(picture, rect, colour);
     return;
   }
   const int t = thickness;
-  for (const PixelRect side :
-       {PixelRect{x, y, w, t}, PixelRect{x, y + h - t, w, t}, PixelRect{x, y + t, t, h - 2 * t},
-        PixelRect{x + w - t, y + t, t, h - 2 * t}}) {
+  for (const PictureRect side :
+       {PictureRect{x, y, w, t}, PictureRect{x, y + h - t, w, t},
+        PictureRect{x, y + t, t, h - 2 * t}, PictureRect{x + w - t, y + t, t, h - 2 * t}}) {
     fill_rect(picture, side, colour);
   }
 }
@@ -60,7 +60,7 @@ void draw_line(Image<Srgb8>& picture, int x0, int y0, int x1, int y1, Srgb8 colo
 }
 
 void blit(Image<Srgb8>& picture, int x, int y, const Image<Srgb8>& source) {
-  const PixelRect area =
+  const PictureRect area =
       clipped({x, y, source.width(), source.height()}, picture.width(), picture.height());
   for (int row = area.y; row < area.y + area.height; ++row) {
     Srgb8* to = picture.row(row) + area.x;

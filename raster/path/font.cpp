@@ -245,7 +245,7 @@ float Font::draw(Image<Srgb8>& picture, float x_px, float y_px, std::string_view
   const int baseline = static_cast<int>(std::lround(y_px));
   return state_->lay_out(x_px, text, size_px, [&](const Glyph& glyph, int pen) {
     const int left = pen + glyph.left, top = baseline + glyph.top;
-    const PixelRect area =
+    const PictureRect area =
         clipped({left, top, glyph.width, glyph.height}, picture.width(), picture.height());
     for (int y = area.y; y < area.y + area.height; ++y) {
       const std::uint8_t* row = glyph.coverage.data() + (y - top) * glyph.width;

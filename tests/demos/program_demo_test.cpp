@@ -31,7 +31,7 @@ TEST(ProgramDemo, FramesFollowTheSeedAndTheScriptAndNothingElse) {
   const auto hashes = [&](const std::vector<std::string>& arguments) {
     const RunResult run = run_kinescope(arguments, {.folder = folder.path()});
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    return json::parse(run.out)["picture_hashes"];
+    return parse_json(run.out)["picture_hashes"];
   };
   const json plain = hashes(common);
   EXPECT_EQ(plain.size(), 8u);

@@ -4,9 +4,9 @@
 #include <signal.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "raster/image/codecs.h"
+#include "tests/demos/parse_json.h"
 #include "tests/demos/program_run.h"
 
 namespace kinescope::test {
@@ -67,7 +67,7 @@ class ProgramDisplay : public ::testing::Test {
     arguments.push_back("--json");
     const RunResult result = run(std::move(arguments));
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    return json::parse(result.out);
+    return parse_json(result.out);
   }
   TemporaryFolder folder_;
 };
@@ -229,7 +229,7 @@ TEST_F(ProgramDisplay, ListsItsPresets) {
   const RunResult table = run({"--list-presets"});
   EXPECT_EQ(table.exit_code, 0);
   EXPECT_THAT(table.out, testing::ContainsRegex("vga-colour +640x480@60"));
-  for (const json& preset : json::parse(run({"--list-presets", "--json"}).out)) {
+  for (const json& preset : parse_json(run({"--list-presets", "--json"}).out)) {
     EXPECT_THAT(table.out, HasSubstr(preset["name"].get<std::string>()));
   }
 }

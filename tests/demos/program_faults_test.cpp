@@ -5,8 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
-
+#include "tests/demos/parse_json.h"
 #include "tests/demos/program_run.h"
 
 namespace kinescope::test {
@@ -98,7 +97,7 @@ TEST(ProgramBadInput, WhatCanBeDrawnIsDrawnWithAWarning) {
     quiet.push_back("--json");
     const RunResult silent = run_kinescope(quiet, {.folder = folder.path()});
     EXPECT_EQ(silent.err, "") << name;
-    EXPECT_GE(nlohmann::json::parse(silent.out)["warnings"].size(), 1u) << name;
+    EXPECT_GE(parse_json(silent.out)["warnings"].size(), 1u) << name;
   }
 }
 

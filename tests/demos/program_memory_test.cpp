@@ -2,8 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "tests/demos/parse_json.h"
 #include "tests/demos/program_run.h"
 
 // A sanitizer needs address space, and keeps memory, of its own.
@@ -22,7 +21,7 @@ TEST(ProgramMemory, TheTeapotOnItsTubeTakesLessThan150MiB) {
       {"demo", "teapot", "--size", "1280x960", "--headless", "--json", "-o", "teapot.png"},
       {.folder = folder.path()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_LT(nlohmann::json::parse(run.out)["peak_memory_mib"].get<double>(), 150);
+  EXPECT_LT(parse_json(run.out)["peak_memory_mib"].get<double>(), 150);
 }
 
 TEST(ProgramMemory, EveryCommandThatDrawsSaysThatASizeIsTooLarge) {

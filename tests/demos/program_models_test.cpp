@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "raster/colour/colour.h"
 #include "raster/image/codecs.h"
+#include "tests/demos/parse_json.h"
 #include "tests/demos/program_run.h"
 #include "tests/raster/optional_data.h"
 
@@ -32,7 +32,7 @@ class ProgramModels : public ::testing::TestWithParam<Model> {
         {.folder = folder_.path()});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(run.err, "");
-    EXPECT_EQ(nlohmann::json::parse(run.out)["triangles"], GetParam().triangles);
+    EXPECT_EQ(parse_json(run.out)["triangles"], GetParam().triangles);
     return read_image_file(folder_ / "a.png");
   }
 

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "raster/image/codecs.h"
+#include "tests/demos/parse_json.h"
 #include "tests/demos/program_run.h"
 
 namespace kinescope::test {
@@ -27,7 +27,7 @@ class ProgramRender : public ::testing::Test {
   }
   nlohmann::json figures(std::vector<std::string> more) const {
     more.push_back("--json");
-    return nlohmann::json::parse(run(std::move(more)).out);
+    return parse_json(run(std::move(more)).out);
   }
   Image<Srgb8> picture(std::vector<std::string> more) const {
     more.insert(more.end(), {"-o", "picture.png"});

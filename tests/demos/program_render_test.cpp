@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "raster/base/simd.h"
@@ -183,7 +182,7 @@ TEST_F(ProgramRender, SeveralModelsStandSideBySide) {
                                        "--display", "none", "--size", "300x200", "-o", "a.png"},
                                       {.folder = folder_.path()});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(json::parse(run.out)["triangles"], 12 + 4 + 12);
+  EXPECT_EQ(parse_json(run.out)["triangles"], 12 + 4 + 12);
 }
 
 TEST_F(ProgramRender, StlStandsUpAlongZAndOthersAlongY) {
@@ -253,7 +252,7 @@ TEST_F(ProgramRender, GreatestPictureWithinBoundedMemory) {
                                           "16384x16384", "--aa", "1", "--json", "--headless"},
                                          {.folder = folder_.path()});
   if (result.exit_code == 0) {
-    EXPECT_LT(json::parse(result.out)["peak_memory_mib"].get<double>(), 4096);
+    EXPECT_LT(parse_json(result.out)["peak_memory_mib"].get<double>(), 4096);
   } else {
     EXPECT_EQ(result.exit_code, 2) << result.err;
     EXPECT_THAT(result.err, HasSubstr("16384x16384"));

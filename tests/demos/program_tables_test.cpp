@@ -2,8 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "tests/demos/parse_json.h"
 #include "tests/demos/program_run.h"
 
 namespace kinescope::test {
@@ -24,7 +23,7 @@ TEST(ProgramList, TeapotComesFirstAndEachHasALine) {
 }
 
 TEST(ProgramList, JsonSaysTheSame) {
-  const json list = json::parse(run_kinescope({"list", "--json"}).out);
+  const json list = parse_json(run_kinescope({"list", "--json"}).out);
   ASSERT_GE(list.size(), 4u);
   EXPECT_EQ(list[0]["name"], "teapot");
   for (const json& demo : list) {
@@ -35,7 +34,7 @@ TEST(ProgramList, JsonSaysTheSame) {
 
 // VESA's 640x480 at 60 Hz: 25.175 MHz, 640+16+96+48 pixels, 480+10+2+33 lines.
 TEST(ProgramTiming, VgaIntervalsInJson) {
-  const json mode = json::parse(run_kinescope({"timing", "640x480@60", "--json"}).out);
+  const json mode = parse_json(run_kinescope({"timing", "640x480@60", "--json"}).out);
   EXPECT_EQ(mode["pixel_clock_hz"], 25175000.0);
   EXPECT_EQ(mode["horizontal"]["sync"]["pixels"], 96.0);
   EXPECT_NEAR(mode["horizontal"]["sync"]["us"].get<double>(), 96 / 25.175, 1e-9);

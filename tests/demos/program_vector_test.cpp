@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
 #include "raster/image/codecs.h"
+#include "tests/demos/parse_json.h"
 #include "tests/demos/program_run.h"
 
 namespace kinescope::test {
@@ -87,7 +87,7 @@ TEST(ProgramVector, WritesSvgThatItReads) {
 TEST(ProgramVector, PagesAndFigures) {
   const std::string two = "IN;SP1;PA0,0;PD5,0;PG;SP1;PA0,0;PD7,0,7,7;LBx\x03";
   const RunResult figures = run_kinescope({"vector", "-", "--json"}, {.input = two});
-  const auto json = nlohmann::json::parse(figures.out);
+  const auto json = parse_json(figures.out);
   EXPECT_EQ(json["segments"], 3);
   EXPECT_EQ(json["texts"], 1);
   EXPECT_EQ(json["pages"], 2);
@@ -304,7 +304,7 @@ TEST(ProgramVector, TenMillionVectors) {
   }
   const RunResult run = run_kinescope({"vector", "many.tek", "--json"}, {.folder = folder.path()});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(nlohmann::json::parse(run.out)["segments"], 9999999);
+  EXPECT_EQ(parse_json(run.out)["segments"], 9999999);
 }
 
 /// A cube as an OFF file of squares.

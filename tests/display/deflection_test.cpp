@@ -63,16 +63,16 @@ TEST(Deflection, EachFaultMovesWhatItsNameSays) {
   EXPECT_EQ(landing(d, {0, 0}, 1).x, 0);
 }
 
-TEST(Camera, FlatGlassIsSeenAsItIs) {
-  const Place p = Camera(GlassSettings{}).glass_of_picture({0.3, -0.8});
+TEST(GlassCamera, FlatGlassIsSeenAsItIs) {
+  const Place p = GlassCamera(GlassSettings{}).glass_of_picture({0.3, -0.8});
   EXPECT_EQ(p.x, 0.3);
   EXPECT_EQ(p.y, -0.8);
 }
 
-TEST(Camera, CurvedGlassFillsThePicturesWidthAndPullsItsCornersIn) {
+TEST(GlassCamera, CurvedGlassFillsThePicturesWidthAndPullsItsCornersIn) {
   GlassSettings glass;
   glass.curvature_mm = 500;
-  const Camera camera(glass);
+  const GlassCamera camera(glass);
   EXPECT_NEAR(camera.glass_of_picture({1, 0}).x, 1, 1e-9);
   EXPECT_NEAR(camera.glass_of_picture({-1, 0}).x, -1, 1e-9);
   EXPECT_NEAR(camera.glass_of_picture({0, 0}).x, 0, 1e-9);
@@ -86,11 +86,11 @@ TEST(Camera, CurvedGlassFillsThePicturesWidthAndPullsItsCornersIn) {
   EXPECT_NEAR(camera.glass_of_picture({slope / edge_slope, 0}).x, 100 / half_width_mm, 1e-9);
 }
 
-TEST(Camera, FindsWhereInThePictureAPlaceOnTheGlassIs) {
+TEST(GlassCamera, FindsWhereInThePictureAPlaceOnTheGlassIs) {
   for (const double radius_mm : {0.0, 400.0, 1000.0}) {
     GlassSettings glass;
     glass.curvature_mm = radius_mm;
-    const Camera camera(glass);
+    const GlassCamera camera(glass);
     for (const Place place : {Place{0, 0}, {0.7, 0}, {-0.3, 0.9}, {1, -1}}) {
       const Place back = camera.picture_of_glass(camera.glass_of_picture(place));
       EXPECT_NEAR(back.x, place.x, 1e-9);
@@ -99,10 +99,10 @@ TEST(Camera, FindsWhereInThePictureAPlaceOnTheGlassIs) {
   }
 }
 
-TEST(Camera, RaysBesideTheTubeLandFarFromThePicture) {
+TEST(GlassCamera, RaysBesideTheTubeLandFarFromThePicture) {
   GlassSettings glass;
   glass.curvature_mm = 150;
-  EXPECT_GT(std::abs(Camera(glass).glass_of_picture({3, 3}).x), 2);
+  EXPECT_GT(std::abs(GlassCamera(glass).glass_of_picture({3, 3}).x), 2);
 }
 
 }  // namespace

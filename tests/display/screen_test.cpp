@@ -56,7 +56,7 @@ class StepReference {
  public:
   StepReference(const TubeSettings& settings, int gun) : settings_(settings), spot_(settings.spot) {
     const Deflection deflection(settings.deflection, settings.glass, gun);
-    const Camera camera(settings.glass);
+    const GlassCamera camera(settings.glass);
     for (int line = 0; line < kLines; ++line) {
       for (int step = 0; step < kCells * kSteps; ++step) {
         const Place sweep{(step + 0.5) / (0.5 * kCells * kSteps) - 1,
@@ -95,7 +95,7 @@ class StepReference {
   static constexpr int kSteps = 8;
 
   /// Inverts the camera by bisection along the ray from the picture's middle.
-  static Place picture_of_glass(const Camera& camera, Place glass) {
+  static Place picture_of_glass(const GlassCamera& camera, Place glass) {
     double low = 0, high = 2;
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (low + high);

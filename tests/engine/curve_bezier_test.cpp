@@ -8,7 +8,6 @@
 #include <random>
 
 #include "engine/curves/bezier.h"
-#include "engine/curves/conic.h"
 #include "engine/curves/continuity.h"
 #include "engine/curves/convex_hull.h"
 #include "engine/curves/cubic.h"
@@ -222,21 +221,6 @@ TEST(Cubic, WeightsSumToOneAndAgree) {
                        ++places;
                      });
   EXPECT_EQ(places, 65);
-}
-
-TEST(Conic, GradientAndKinds) {
-  const Conic q{1, 2, 3, 4, 5, 6};
-  const Vec p(0.5, -2);
-  EXPECT_EQ(q.gradient(p), Vec(2 * 0.5 + 2 * -2 + 4, 2 * 0.5 + 6 * -2 + 5));
-  EXPECT_NEAR((q.value(p + Vec(1e-5, 0)) - q.value(p - Vec(1e-5, 0))) / 2e-5, q.gradient(p).x,
-              1e-8);
-  EXPECT_EQ(conic_kind({1, 0, 1, 0, 0, -4}), ConicKind::kCircle);
-  EXPECT_EQ(conic_kind({1, 0, 2, 0, 0, -4}), ConicKind::kEllipse);
-  EXPECT_EQ(conic_kind({1, 1, 1, 0, 0, -4}), ConicKind::kEllipse);
-  EXPECT_EQ(conic_kind({1, 2, 1, 3, 0, -4}), ConicKind::kParabola);
-  EXPECT_EQ(conic_kind({0, 1, 0, 0, 0, -4}), ConicKind::kHyperbola);
-  EXPECT_EQ(conic_kind({0, 0, 0, 1, 0, -4}), ConicKind::kLine);
-  EXPECT_EQ(conic_kind({0, 0, 0, 0, 0, -4}), ConicKind::kNone);
 }
 
 }  // namespace

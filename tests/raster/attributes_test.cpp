@@ -71,7 +71,7 @@ TEST(Rasterizer, AttributesArePerspectiveCorrect) {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     const PerspectiveTriangle t(seed, seed % 3 == 0 ? 5.0f : seed % 3 == 1 ? 30.0f : 300.0f);
     if (std::abs(t.area()) < 4) continue;
-    Canvas canvas(80, 80);
+    FloatCanvas canvas(80, 80);
     canvas.target.clear.a = 0;
     const DrawCall call = t.call(show_attributes);
     canvas.draw({&call, 1});
@@ -92,7 +92,7 @@ TEST(Rasterizer, AttributesArePerspectiveCorrect) {
 TEST(Rasterizer, TellsWhichSideIsSeenWhereBothAreDrawn) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     const PerspectiveTriangle t(seed, 30);
-    Canvas canvas(80, 80);
+    FloatCanvas canvas(80, 80);
     DrawCall call = t.call([](const Batch& b, LinearRgba* out) {
       for (int i = 0; i < b.size; ++i) out[i] = {b.facing[i], b.facing[i], 0, 1};
     });
@@ -110,7 +110,7 @@ TEST(Rasterizer, GradientsAreTheDerivativesOfTextureCoordinates) {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     const PerspectiveTriangle t(seed, 30);
     if (std::abs(t.area()) < 40) continue;
-    Canvas canvas(80, 80);
+    FloatCanvas canvas(80, 80);
     canvas.target.clear.r = NAN;
     const DrawCall call = t.call(show_gradients);
     canvas.draw({&call, 1});
@@ -135,7 +135,7 @@ TEST(Rasterizer, GradientsAreTheDerivativesOfTextureCoordinates) {
 }
 
 TEST(Rasterizer, DepthIsThePlaneThroughTheVertices) {
-  Canvas canvas(64, 64);
+  FloatCanvas canvas(64, 64);
   canvas.target.keep_depth = true;
   TriangleSoup soup;
   soup.add({0, 0, 0.25f}, {0, 64, 0.5f}, {64, 0, 0.75f});

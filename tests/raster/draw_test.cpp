@@ -49,15 +49,15 @@ TEST(Draw, BlendsOverTransparency) {
 }
 
 TEST(Draw, ClipsRectangles) {
-  EXPECT_EQ(clipped({2, 3, 4, 5}, 10, 10), (PixelRect{2, 3, 4, 5}));
-  EXPECT_EQ(clipped({-2, -3, 4, 5}, 10, 10), (PixelRect{0, 0, 2, 2}));
-  EXPECT_EQ(clipped({8, 9, 4, 5}, 10, 10), (PixelRect{8, 9, 2, 1}));
-  EXPECT_EQ(clipped({10, 0, 4, 5}, 10, 10), PixelRect{});
-  EXPECT_EQ(clipped({-9, 0, 4, 5}, 10, 10), PixelRect{});
-  EXPECT_EQ(clipped({3, 3, -2, 5}, 10, 10), PixelRect{});
+  EXPECT_EQ(clipped({2, 3, 4, 5}, 10, 10), (PictureRect{2, 3, 4, 5}));
+  EXPECT_EQ(clipped({-2, -3, 4, 5}, 10, 10), (PictureRect{0, 0, 2, 2}));
+  EXPECT_EQ(clipped({8, 9, 4, 5}, 10, 10), (PictureRect{8, 9, 2, 1}));
+  EXPECT_EQ(clipped({10, 0, 4, 5}, 10, 10), PictureRect{});
+  EXPECT_EQ(clipped({-9, 0, 4, 5}, 10, 10), PictureRect{});
+  EXPECT_EQ(clipped({3, 3, -2, 5}, 10, 10), PictureRect{});
   constexpr int kMost = std::numeric_limits<int>::max();
-  EXPECT_EQ(clipped({5, 5, kMost, kMost}, 10, 10), (PixelRect{5, 5, 5, 5}));
-  EXPECT_EQ(clipped({-kMost, -kMost, kMost, kMost}, 10, 10), PixelRect{});
+  EXPECT_EQ(clipped({5, 5, kMost, kMost}, 10, 10), (PictureRect{5, 5, 5, 5}));
+  EXPECT_EQ(clipped({-kMost, -kMost, kMost, kMost}, 10, 10), PictureRect{});
 }
 
 TEST(Draw, FillsAndFramesWithoutBlendingTwice) {

@@ -11,8 +11,8 @@ namespace kinescope {
 using Floats = Image<LinearRgba>;
 
 /// A rasterizer with a float target.
-struct Canvas {
-  Canvas(int width, int height, int samples = 1)
+struct FloatCanvas {
+  FloatCanvas(int width, int height, int samples = 1)
       : workers(2),
         rasterizer(workers),
         target(width, height, samples, ColourFormat::kLinearFloat) {}

@@ -18,7 +18,7 @@ namespace kinescope {
 namespace {
 
 TEST(Rasterizer, TheNearestWinsAndOfEqualsTheFirst) {
-  Canvas canvas(40, 4);
+  FloatCanvas canvas(40, 4);
   const TestVertex a{-1, -1}, b{-1, 9}, c{50, -1};
   const auto at_depth = [](TestVertex v, float z) {
     v.z = z;
@@ -37,7 +37,7 @@ TEST(Rasterizer, TheNearestWinsAndOfEqualsTheFirst) {
 }
 
 TEST(Rasterizer, DepthOfOneIsStillDrawn) {
-  Canvas canvas(2, 2);
+  FloatCanvas canvas(2, 2);
   canvas.target.clear.r = -1;
   TriangleSoup soup;
   soup.add({-1, -1, 1}, {-1, 9, 1}, {9, -1, 1});
@@ -69,7 +69,7 @@ TEST(Rasterizer, CallsMixInOneTileAndKeepTheirOwnConstants) {
     calls.back().constants = &constants[i];
     if (i == 5) calls.back().source_triangle = sources;
   }
-  Canvas canvas(kCalls, 30);
+  FloatCanvas canvas(kCalls, 30);
   canvas.draw(calls);
   for (int y = 0; y < 30; ++y) {
     for (int x = 0; x < kCalls; ++x) {
@@ -103,13 +103,13 @@ TEST(Rasterizer, BatchesAreAlignedPaddedAndNotTooLarge) {
   DrawCall call = soup.call(check_batch);
   call.attributes = rows;
   call.attribute_count = call.attribute_stride = 1;
-  Canvas canvas(300, 77, 4);
+  FloatCanvas canvas(300, 77, 4);
   EXPECT_EQ(canvas.draw({&call, 1}).fragments, 300u * 77);
   EXPECT_EQ(canvas.at(299, 76).r, 0.5f);
 }
 
 TEST(Rasterizer, NoCallsOrNoTrianglesLeaveTheClearColour) {
-  Canvas canvas(70, 40, 4);
+  FloatCanvas canvas(70, 40, 4);
   canvas.target.clear = {0.25f, 0.5f, 0.75f, 1};
   canvas.target.keep_depth = true;
   EXPECT_EQ(canvas.draw({}).triangles, 0u);
@@ -125,7 +125,7 @@ TEST(Rasterizer, WithoutAShaderTheClearColourHidesWhatLiesBehind) {
   TriangleSoup front, back;
   front.add({-1, -1, 0.2f}, {-1, 90, 0.2f}, {20, -1, 0.2f});
   back.add({-1, -1, 0.8f}, {-1, 900, 0.8f}, {900, -1, 0.8f});
-  Canvas canvas(60, 4);
+  FloatCanvas canvas(60, 4);
   canvas.target.clear.r = -1;
   const DrawCall calls[] = {front.call(nullptr), back.call(shade_primitive)};
   canvas.draw(calls);
@@ -141,7 +141,7 @@ TEST(Rasterizer, CountsTriangles) {
   soup.add({900, 0}, {900, 80}, {980, 0});        // off the target
   soup.add({-900, -900}, {-900, 900}, {900, 0});  // drawn, large
   const DrawCall call = soup.call(shade_primitive, CullMode::kBack);
-  Canvas canvas(50, 50);
+  FloatCanvas canvas(50, 50);
   const RasterStats stats = canvas.draw({&call, 1});
   EXPECT_EQ(stats.triangles, 5u);
   EXPECT_EQ(stats.drawn, 2u);
@@ -156,7 +156,7 @@ TEST(Rasterizer, AMillionDegenerateTriangles) {
   call.vertices = {one, one, one, w};
   call.indices = indices;
   call.cull = CullMode::kNone;
-  Canvas canvas(20, 20);
+  FloatCanvas canvas(20, 20);
   const RasterStats stats = canvas.draw({&call, 1});
   EXPECT_EQ(stats.triangles, 1'000'000u);
   EXPECT_EQ(stats.drawn, 0u);

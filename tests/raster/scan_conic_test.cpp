@@ -257,5 +257,19 @@ TEST(ScanConic, DegenerateAndBadOnes) {
   EXPECT_LE(steps, 1);
 }
 
+// The textbook's: df/dx = 2ax + by + d, df/dy = bx + 2cy + e; the sign of b^2 - 4ac tells the kind.
+TEST(Conic, GradientAndKinds) {
+  const Conic q{1, 2, 3, 4, 5, 6};
+  EXPECT_EQ(q.gradient(0.5, -2), glm::dvec2(2 * 0.5 + 2 * -2 + 4, 2 * 0.5 + 6 * -2 + 5));
+  EXPECT_NEAR((q(0.5 + 1e-5, -2) - q(0.5 - 1e-5, -2)) / 2e-5, q.gradient(0.5, -2).x, 1e-8);
+  const auto kind = [](const Conic& c) { return c.kind(); };
+  EXPECT_EQ(kind({1, 0, 1, 0, 0, -4}), ConicKind::kCircle);
+  EXPECT_EQ(kind({1, 0, 2, 0, 0, -4}), ConicKind::kEllipse);
+  EXPECT_EQ(kind({1, 1, 1, 0, 0, -4}), ConicKind::kEllipse);
+  EXPECT_EQ(kind({1, 2, 1, 3, 0, -4}), ConicKind::kParabola);
+  EXPECT_EQ(kind({0, 1, 0, 0, 0, -4}), ConicKind::kHyperbola);
+  EXPECT_EQ(kind({0, 0, 0, 1, 0, -4}), ConicKind::kLine);
+}
+
 }  // namespace
 }  // namespace kinescope

@@ -20,7 +20,7 @@ TEST(Rasterizer, OnePixel) {
   soup.add({0, 0}, {0, 3}, {3, 0});
   const DrawCall call = soup.call(shade_primitive);
   for (const int samples : {1, 4, 8}) {
-    Canvas canvas(1, 1, samples);
+    FloatCanvas canvas(1, 1, samples);
     canvas.target.clear.r = -1;
     EXPECT_EQ(canvas.draw({&call, 1}).fragments, 1u);
     EXPECT_EQ(canvas.at(0, 0).r, 0.0f);

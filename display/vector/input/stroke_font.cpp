@@ -15,8 +15,8 @@ constexpr int kFirst = ' ', kCount = 96;
 
 /// One line: columns 5 to 7 count the pairs of letters that follow, each a place about 'R'. The
 /// first pair is the left and right side; " R" lifts the pen.
-StrokeGlyph parse_glyph(std::string_view line) {
-  StrokeGlyph glyph;
+TerminalGlyph parse_glyph(std::string_view line) {
+  TerminalGlyph glyph;
   if (line.size() < 10) return glyph;
   const float left = static_cast<float>(line[8] - 'R'), right = static_cast<float>(line[9] - 'R');
   glyph.width = (right - left) / kCapital;
@@ -34,9 +34,9 @@ StrokeGlyph parse_glyph(std::string_view line) {
   return glyph;
 }
 
-std::array<StrokeGlyph, kCount> parse_font(std::string_view text) {
-  std::array<StrokeGlyph, kCount> font;
-  for (StrokeGlyph& glyph : font) {
+std::array<TerminalGlyph, kCount> parse_font(std::string_view text) {
+  std::array<TerminalGlyph, kCount> font;
+  for (TerminalGlyph& glyph : font) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     glyph = parse_glyph(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
@@ -46,8 +46,8 @@ std::array<StrokeGlyph, kCount> parse_font(std::string_view text) {
 
 }  // namespace
 
-const StrokeGlyph& stroke_glyph(unsigned char character) {
-  static const std::array<StrokeGlyph, kCount> font =
+const TerminalGlyph& stroke_glyph(unsigned char character) {
+  static const std::array<TerminalGlyph, kCount> font =
       parse_font(embedded::hershey_roman_simplex_jhf());
   const bool known = character >= kFirst && character < kFirst + kCount;
   return font[known ? static_cast<std::size_t>(character - kFirst) : 0];

@@ -18,13 +18,13 @@ struct GlyphPoint {
   bool drawn = false;  ///< a stroke leads here from the point before
 };
 
-struct StrokeGlyph {
+struct TerminalGlyph {
   std::vector<GlyphPoint> points;
   float width = 0;  ///< of the ink and the space beside it, in heights of a capital
 };
 
 /// The character's strokes; those from space to ~ have any.
-const StrokeGlyph& stroke_glyph(unsigned char character);
+const TerminalGlyph& stroke_glyph(unsigned char character);
 
 /// Calls sink(from, to) for each stroke of a text. A character wider than its cell is narrowed.
 template <typename Sink>
@@ -34,7 +34,7 @@ void for_each_text_stroke(const DrawnText& text, Sink&& sink) {
   const float height = std::sqrt(text.up.x * text.up.x + text.up.y * text.up.y);
   glm::vec2 middle = text.place + 0.5f * text.advance;
   for (const char c : text.text) {
-    const StrokeGlyph& glyph = stroke_glyph(static_cast<unsigned char>(c));
+    const TerminalGlyph& glyph = stroke_glyph(static_cast<unsigned char>(c));
     const float wanted = height / cell;
     const float across = glyph.width * wanted > 1 ? 1 / glyph.width : wanted;
     glm::vec2 pen = middle;
