@@ -16,7 +16,7 @@ FlightPath::FlightPath(const TubeSettings& settings, int width, int height)
       height_(height),
       deflection_(settings.deflection, settings.glass, kMiddleGun),
       camera_(settings.glass),
-      spot_(spot_of(settings)),
+      spot_(settings.spot),
       pixels_a_mm_(pixels_a_mm(settings.glass, width, height).down),
       cell_pixels_(static_cast<double>(width) * height * settings.deflection.width *
                    settings.deflection.height / settings.mode.horizontal.active /

@@ -11,38 +11,52 @@ constexpr double kPixelVariance = 1.0 / 12;  // of an output pixel's own width
 constexpr float kLeastDeviation = 0.02f;     // down, lines
 constexpr double kReach = 2.8;               // of a Gaussian, deviations
 
-float with_variance(double sigma, double variance) {
-  return static_cast<float>(std::sqrt(sigma * sigma + variance));
+int taps_for(double deviation_cells) {
+  return std::clamp(static_cast<int>(std::ceil(1 + 2 * kReach * deviation_cells)), 4, kCellTaps);
 }
 
 }  // namespace
+
+CurvedRaster::Deviations CurvedRaster::Deviations::widened(double times, double variance) const {
+  const auto of = [&](double sigma) { return std::sqrt(times * times * sigma * sigma + variance); };
+  return {of(narrow), of(wide)};
+}
 
 CurvedRaster::CurvedRaster(const TubeSettings& settings, const SpotModel& spot, int gun,
                            const RasterExtent& e)
     : map_(beam_map(settings, gun, e.cells, e.lines, e.width, e.height, kTileColumns)),
       cells_(e.cells),
       lines_(e.lines),
-      cells_a_pixel_(static_cast<float>(e.cells / (e.width * settings.deflection.width))) {
+      cells_a_pixel_(static_cast<float>(e.cells / (e.width * settings.deflection.width))),
+      spot_(settings.spot) {
   const PixelsAMm pixels = pixels_a_mm(settings.glass, e.width, e.height);
   const double x = pixels.across * spot.astigmatism(), y = pixels.down;
-  narrow_across_ = with_variance(spot.narrow_mm() * x, kPixelVariance);
-  wide_across_ = with_variance(spot.wide_mm() * x, kPixelVariance);
-  const double reach = 0.5 + kReach * static_cast<double>(wide_across_ * cells_a_pixel_);
-  taps_ = std::clamp(static_cast<int>(std::ceil(2 * reach)), 4, kCellTaps);
+  across_ = {spot.narrow_mm() * x, spot.wide_mm() * x};
+  down_ = {spot.narrow_mm() * y, spot.wide_mm() * y};
+  taps_ = taps_for(across_.widened(1, kPixelVariance).wide * static_cast<double>(cells_a_pixel_));
   const double pitch = e.lines / (e.height * settings.deflection.height);
-  const double down = kPixelVariance + line_blur_variance(pitch) / (pitch * pitch);
-  const float narrow = with_variance(spot.narrow_mm() * y, down);
-  const float wide = with_variance(spot.wide_mm() * y, down);
+  variance_down_ = kPixelVariance + line_blur_variance(pitch) / (pitch * pitch);
   grid_.lines_a_pixel = static_cast<float>(pitch);
-  grid_.narrow_pixels = narrow;
-  grid_.wide_pixels = wide;
-  grid_.least_pitch = kLeastDeviation / narrow;
 }
 
 CurvedRaster CurvedRaster::bent(const SweepWarp& warp) const {
   CurvedRaster raster = *this;
   raster.map_ = warped(map_, warp, cells_, kTileColumns);
+  raster.wider_.clear();
+  for (const float scale : warp.scale) {
+    raster.wider_.push_back(
+        static_cast<float>(spot_at_voltage(spot_, 1 / static_cast<double>(scale * scale))));
+  }
+  const double widest = *std::max_element(raster.wider_.begin(), raster.wider_.end());
+  raster.taps_ =
+      taps_for(across_.widened(widest, kPixelVariance).wide * static_cast<double>(cells_a_pixel_));
   return raster;
+}
+
+double CurvedRaster::wider(float line) const {
+  if (wider_.empty()) return 1;
+  const float last = static_cast<float>(wider_.size() - 1);
+  return wider_[static_cast<std::size_t>(std::clamp(line, 0.0f, last))];
 }
 
 bool CurvedRaster::shares_lines_with(const CurvedRaster& other) const {
@@ -71,9 +85,11 @@ void CurvedRaster::begin_tile(SpreadRing& ring, int x, int groups) const {
 void CurvedRaster::spread_line(const LayerLight& light, SpreadRing& ring, int line) const {
   const std::ptrdiff_t at = ring_at(ring, line);
   if (line < 0 || line >= lines_) return ring.darken(at);
-  spread_across_curve({map_.cells_of(line) + ring.x / kGroup, ring.groups, cells_, taps_,
-                       cells_a_pixel_, narrow_across_, wide_across_},
-                      light.rows(line), {ring.narrow.data() + at, ring.wide.data() + at});
+  const Deviations across = across_.widened(wider(static_cast<float>(line)), kPixelVariance);
+  spread_across_curve(
+      {map_.cells_of(line) + ring.x / kGroup, ring.groups, cells_, taps_, cells_a_pixel_,
+       static_cast<float>(across.narrow), static_cast<float>(across.wide)},
+      light.rows(line), {ring.narrow.data() + at, ring.wide.data() + at});
 }
 
 /// Once for every row of the grid.
@@ -98,6 +114,11 @@ void CurvedRaster::lines_down(const SpreadRing& ring, int y, std::span<const Lin
   grid.below = map_.lines_at(j + 1, ring.x / kGroup);
   grid.share = static_cast<float>(y - j * kGroup) * (1.0f / kGroup);
   grid.groups = ring.groups;
+  // The voltage hardly changes among the few lines that meet in a row.
+  const Deviations down = down_.widened(wider(grid.above[ring.groups / 2]), variance_down_);
+  grid.narrow_pixels = static_cast<float>(down.narrow);
+  grid.wide_pixels = static_cast<float>(down.wide);
+  grid.least_pitch = kLeastDeviation / grid.narrow_pixels;
   spread_down_curve(grid, {map_.ring_lines - 1, ring.groups * kGroup}, rows);
 }
 

@@ -33,8 +33,7 @@ FreeRaster::FreeRaster(const TubeSettings& settings, std::span<const Signal> sig
                        std::span<const ScreenLayer> layers, std::span<const Phosphor> laws)
     : settings_(settings),
       sweep_(settings.sweep, settings.mode),
-      spot_(spot_of(settings)),
-      gun_(settings.gun, spot_, sweep_.clock_hz()),
+      gun_(settings.gun, SpotModel(settings.spot), sweep_.clock_hz()),
       signals_(signals.begin(), signals.end()),
       layers_(layers.begin(), layers.end()),
       laws_(laws.begin(), laws.end()),
@@ -45,8 +44,7 @@ FreeRaster::FreeRaster(const TubeSettings& settings, std::span<const Signal> sig
 
 void FreeRaster::turn_knobs(const TubeSettings& settings) {
   settings_ = settings;
-  spot_ = spot_of(settings);
-  gun_ = Gun(settings.gun, spot_, sweep_.clock_hz());
+  gun_ = Gun(settings.gun, SpotModel(settings.spot), sweep_.clock_hz());
 }
 
 void FreeRaster::take_over(const FreeSweep& before, BeamTime video_now) {
@@ -142,22 +140,15 @@ void FreeRaster::load_voltage(BeamTime begin, BeamTime end) {
   }
 }
 
-/// A cell's dose follows the time that the sweep gives it, and the voltage; a spot that the voltage
-/// defocuses lies more in the wide Gaussian.
+/// A cell's dose follows the time that the sweep gives it, and the voltage.
 void FreeRaster::weigh_doses(const Field& field, int line) {
   const float scale = field.warp.scale[static_cast<std::size_t>(line)];
   const float weight = dose_scale_ / (scale * scale);
   if (weight == 1) return;
-  const double voltage = std::max(1 / static_cast<double>(scale * scale), 1 - settings_.sweep.sag);
-  const auto widened = spot_.widened(spot_at_voltage(settings_.spot, voltage));
-  const auto kept = static_cast<float>(widened.kept), moved = static_cast<float>(widened.moved);
   for (LayerLight& doses : doses_) {
-    float* const narrow = doses.narrow.line(line);
-    float* const wide = doses.wide.line(line);
-    for (int i = 0; i < cells_; ++i) {
-      const float all = weight * (narrow[i] + wide[i]);
-      wide[i] = weight * kept * wide[i] + moved * all;
-      narrow[i] = all - wide[i];
+    for (CellPlane* plane : {&doses.narrow, &doses.wide}) {
+      float* const dose = plane->line(line);
+      for (int i = 0; i < cells_; ++i) dose[i] *= weight;
     }
   }
 }

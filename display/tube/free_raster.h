@@ -74,7 +74,6 @@ class FreeRaster {
 
   TubeSettings settings_;
   FreeSweep sweep_;
-  SpotModel spot_;
   Gun gun_;
   std::vector<Signal> signals_;
   std::vector<ScreenLayer> layers_;

@@ -64,7 +64,7 @@ class CurvedRaster {
   static constexpr int kTileColumns = 96;
   CurvedRaster(const TubeSettings& settings, const SpotModel& spot, int gun,
                const RasterExtent& extent);
-  /// The same raster as one sweep has it.
+  /// The same raster as one sweep has it; where the voltage sagged, spots are wider.
   CurvedRaster bent(const SweepWarp& warp) const;
   /// Whether lines of the two lie within a hundredth of a line of each other.
   bool shares_lines_with(const CurvedRaster& other) const;
@@ -78,6 +78,13 @@ class CurvedRaster {
   void spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const;
 
  private:
+  /// Of the two Gaussians, pixels.
+  struct Deviations {
+    double narrow = 0, wide = 0;
+    /// With the spot so many times wider and a variance added.
+    Deviations widened(double times, double variance) const;
+  };
+  double wider(float line) const;
   int grid_row(int y) const { return std::min(y / kGroup, map_.rows - 2); }
   void spread_line(const LayerLight& light, SpreadRing& ring, int line) const;
   std::ptrdiff_t ring_at(const SpreadRing& ring, int line) const;
@@ -85,8 +92,11 @@ class CurvedRaster {
   BeamMap map_;
   int cells_, lines_, taps_ = 6;
   float cells_a_pixel_;
-  float narrow_across_, wide_across_;  // deviations, pixels
-  LineGrid grid_{};                    // what all rows have in common
+  Deviations across_, down_;  // of the spot alone
+  double variance_down_;      // of pixels, and against beats; square pixels
+  SpotSettings spot_;
+  std::vector<float> wider_;  // of each line of a sweep: how much wider its spots are
+  LineGrid grid_{};           // what all rows have in common
 };
 
 }  // namespace kinescope

@@ -46,7 +46,7 @@ bool one_mask(const TubeSettings& a, const TubeSettings& b) {
 }
 bool one_raster(const TubeSettings& a, const TubeSettings& b) {
   return one_shape(a.glass, b.glass) && a.mode == b.mode && a.spot == b.spot &&
-         a.deflection == b.deflection && is_free(a) == is_free(b) && a.sweep.sag == b.sweep.sag;
+         a.deflection == b.deflection && is_free(a) == is_free(b);
 }
 
 /// Of a free raster, those of a sweep that lies where it should.
@@ -54,7 +54,7 @@ std::shared_ptr<const GunRasters> make_rasters(const TubeSettings& s, int guns, 
                                                int width, int height) {
   const int lines = is_free(s) ? field_lines(s.mode) : s.mode.vertical.active;
   const RasterExtent extent{s.mode.horizontal.active, lines, width, height};
-  const SpotModel spot = spot_of(s);
+  const SpotModel spot(s.spot);
   GunRasters rasters;
   for (int gun = 0; gun < guns; ++gun) {
     if (straight) {
