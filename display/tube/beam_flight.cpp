@@ -1,6 +1,7 @@
 #include "display/tube/beam_flight.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "display/tube_kernels.h"
 
@@ -8,8 +9,13 @@ namespace kinescope {
 namespace {
 
 constexpr int kMiddleGun = 1;
+constexpr double kMostPieces = 256;  // finer than the spot is wide
 
 }  // namespace
+
+int flight_pieces(double clocks) {
+  return static_cast<int>(std::clamp(std::round(clocks), 1.0, kMostPieces));
+}
 
 FlightPath::FlightPath(const TubeSettings& settings, int width, int height)
     : width_(width),

@@ -16,6 +16,11 @@ namespace kinescope {
 /// Rows of a screen's width for each layer, or none.
 using LightOverlay = std::vector<std::vector<float>>;
 
+/// Pieces into which a part of the way is cut that takes so many clocks. As a cell of the raster
+/// does, each lights as a whole while the beam is on it, whatever window cuts through it: so
+/// windows add up, and none shows where the beam has not been but for a clock.
+int flight_pieces(double clocks);
+
 /// From places of the sweep to strokes on the picture.
 class FlightPath {
  public:

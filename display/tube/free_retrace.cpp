@@ -9,9 +9,7 @@
 namespace kinescope {
 namespace {
 
-constexpr int kPieces = 48;           // of a blanked sweep, in which sync tips begin and end
-constexpr int kFlightPieces = 32;     // of a flight back, whose speed changes
-constexpr double kLeastLight = 1e-7;  // of a flight's whole light; less is left out
+constexpr double kLeastLight = 1e-7;  // of a piece's whole light; less is not left behind
 
 }  // namespace
 
@@ -54,23 +52,26 @@ Place FreeRetrace::sweep_at(const Window& w, double clock) const {
 }
 
 /// @param drawn whether it is a part of the picture, and not blanked
-void FreeRetrace::follow(const Window& w, double begin, double length, int pieces, bool drawn) {
+void FreeRetrace::follow(const Window& w, double begin, double length, bool drawn) {
   if (drawn || begin + length <= w.begin || begin >= w.end) return;
   const double frame =
       static_cast<double>(settings_.mode.horizontal.total()) * settings_.mode.vertical.total();
+  const int pieces = flight_pieces(length);
   const double step = length / pieces, video = w.sweep.video_clocks();
+  const double whole_field = to_clocks(w.field.end - w.field.begin), hz = w.sweep.clock_hz();
   for (int i = 0; i < pieces; ++i) {
     const double clock = begin + i * step, middle = clock + 0.5 * step;
-    // A piece belongs to the window and the field in which its middle lies.
-    if (middle < w.begin || middle >= w.end) continue;
+    const double from = std::max(clock, w.begin), to = std::min(clock + step, w.end);
+    if (from >= to) continue;
     const double in_frame = std::fmod((to_clocks(w.field.begin) + middle) * video, frame);
     const double current = current_[in_sync_tip(settings_.mode, in_frame) ? 1 : 0];
     if (!(current > 0)) continue;
-    const double inset = 1e-3 * step;  // so that it lies in one phase
-    strokes_.push_back(
-        path_.stroke(sweep_at(w, clock + inset), sweep_at(w, clock + step - inset), current));
-    doses_.push_back(current * path_.cell_pixels() * step * video);
-    since_s_.push_back((w.end - middle) / w.sweep.clock_hz());
+    // So that it lies in one phase and in its field, whatever the window.
+    const double inset = 1e-3 * step, first = std::max(clock, 0.0) + inset;
+    const double last = std::max(first, std::min(clock + step, whole_field) - inset);
+    strokes_.push_back(path_.stroke(sweep_at(w, first), sweep_at(w, last), current));
+    laid_.push_back({current * path_.cell_pixels() * (to - from) * video, (to - from) / hz,
+                     (w.end - from) / hz});
   }
 }
 
@@ -79,9 +80,9 @@ void FreeRetrace::follow_fields_lines(const Window& w) {
   const int first = static_cast<int>(std::floor((w.begin - w.first_line) / w.line));
   for (int line = std::max(first, -1); w.first_line + line * w.line < w.end; ++line) {
     const double start = w.first_line + line * w.line, back = start + h.active + h.front_porch;
-    follow(w, start, h.active, kPieces, line >= 0 && line < w.field.lines);
-    if (h.front_porch > 0) follow(w, start + h.active, h.front_porch, 1, false);
-    follow(w, back, h.sync + h.back_porch, kFlightPieces, false);
+    follow(w, start, h.active, line >= 0 && line < w.field.lines);
+    if (h.front_porch > 0) follow(w, start + h.active, h.front_porch, false);
+    follow(w, back, h.sync + h.back_porch, false);
   }
 }
 
@@ -91,10 +92,11 @@ void FreeRetrace::leave_term(std::size_t layer, std::size_t term, Afterglow& aft
   std::vector<BeamStroke> strokes;
   std::vector<double> lefts;
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
-    const double left = law.share * decayed(since_s_[i], law.tau.count()).left;
+    const Laid& laid = laid_[i];
+    const double left = law.share * left_of_dose(laid.since_s, laid.dwell_s, law.tau.count());
     if (left < kLeastLight) continue;
     strokes.push_back(strokes_[i]);
-    lefts.push_back(left * doses_[i]);
+    lefts.push_back(left * laid.dose);
   }
   if (strokes.empty()) return;
   const Afterglow::Opened opened = afterglow.open(layer, term);
@@ -109,13 +111,13 @@ void FreeRetrace::leave_term(std::size_t layer, std::size_t term, Afterglow& aft
 
 void FreeRetrace::add_light(Afterglow& afterglow, LightOverlay& sum, Workers& workers) {
   std::vector<float> weights;
-  for (std::size_t i = 0; i < strokes_.size(); ++i) {
+  for (const Laid& laid : laid_) {
     for (const Phosphor& law : laws_) {
       double light = 0;
       for (const DecayTerm& term : law.terms) {
-        light += term.share * decayed(since_s_[i], term.tau.count()).lost;
+        light += term.share * light_of_dose(0, laid.since_s, laid.dwell_s, term.tau.count());
       }
-      weights.push_back(static_cast<float>(light * doses_[i]));
+      weights.push_back(static_cast<float>(light * laid.dose));
     }
   }
   std::vector<std::vector<float>*> planes;
@@ -135,8 +137,7 @@ void FreeRetrace::pass(const FreeSweep& sweep, const SweptField& field, const Sw
   const double line = to_clocks(sweep.line_period());
   const double first_line = to_clocks(field.first_line - field.begin);
   strokes_.clear();
-  doses_.clear();
-  since_s_.clear();
+  laid_.clear();
   follow_fields_lines({sweep, field, warp, to_clocks(begin - field.begin),
                        to_clocks(end - field.begin), line, first_line,
                        field.first_place - first_line / line});

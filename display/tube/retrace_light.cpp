@@ -9,18 +9,18 @@
 namespace kinescope {
 namespace {
 
-constexpr int kPieces = 8;            // of a sweep
-constexpr int kFlightPieces = 48;     // of a flight back, whose speed changes
-constexpr double kWithin = 1e-3;      // clocks from a piece's ends, so that it lies in one phase
-constexpr double kLeastLight = 1e-7;  // of a flight's whole light; less is left out
+constexpr double kWithin = 1e-3;       // clocks from a piece's ends, so that it lies in one phase
+constexpr double kLeastLight = 1e-12;  // of a piece's whole light; less is left out
 
 }  // namespace
 
-double light_of_repeated(double since, double length, double period, double tau) {
-  const double whole = one_minus_exp(period / tau);
+double light_of_repeated(double since, double length, double period, double dwell, double tau) {
+  // What is left of all periods before, when another dwell begins.
+  const double before = left_after_dwell(dwell, tau) * decayed(period - dwell, tau).left /
+                        one_minus_exp(period / tau);
   const auto from = [&](double begin, double end) {
-    const Decayed before = decayed(begin, tau);
-    return before.left * one_minus_exp((end - begin) / tau) / whole;
+    return light_of_dose(begin, end, dwell, tau) +
+           before * decayed(begin, tau).left * one_minus_exp((end - begin) / tau);
   };
   if (since + length <= period) return from(since, since + length);
   return from(since, period) + from(0, since + length - period);
@@ -36,20 +36,20 @@ RetraceLight::RetraceLight(const TubeSettings& settings, const Gun& gun,
   if (!(gun.blanked_current(false) > 0)) return;
   const FlightPath path(settings, width, height);
   for (int line = 0; line < settings.mode.vertical.total(); ++line) {
-    follow_line(path, gun, line, settings.gun.sync > 0);
+    follow_line(path, gun, line);
   }
 }
 
 /// The line's sweep, its front porch and its flight back, each in pieces that are all but straight.
-void RetraceLight::follow_line(const FlightPath& path, const Gun& gun, int line,
-                               bool sync_matters) {
+void RetraceLight::follow_line(const FlightPath& path, const Gun& gun, int line) {
   const SyncTiming& h = scan_.mode().horizontal;
   const double hz = scan_.mode().pixel_clock_hz;
   const auto sweep_at = [&](double clock) {
     const BeamPosition beam = scan_.at(Seconds(clock / hz));
     return Place{2 * beam.x - 1, 2 * beam.y - 1};
   };
-  const auto follow = [&](double begin, double length, int pieces) {
+  const auto follow = [&](double begin, double length) {
+    const int pieces = flight_pieces(length);
     const double step = length / pieces;
     for (int i = 0; i < pieces; ++i) {
       const double clock = begin + i * step, middle = clock + 0.5 * step;
@@ -63,10 +63,10 @@ void RetraceLight::follow_line(const FlightPath& path, const Gun& gun, int line,
   };
   const double start = static_cast<double>(line) * h.total();
   const double back = start + h.active + h.front_porch;
-  follow(start, h.active, sync_matters ? kFlightPieces : kPieces);
-  if (h.front_porch > 0) follow(start + h.active, h.front_porch, 1);
-  follow(back, h.sync, kFlightPieces / 2);
-  if (h.back_porch > 0) follow(back + h.sync, h.back_porch, kFlightPieces / 2);
+  follow(start, h.active);
+  if (h.front_porch > 0) follow(start + h.active, h.front_porch);
+  follow(back, h.sync);
+  if (h.back_porch > 0) follow(back + h.sync, h.back_porch);
 }
 
 /// What each flight leaves in the layers in [begin, end).
@@ -79,12 +79,12 @@ void RetraceLight::weigh(BeamTime begin, BeamTime end) {
   weights_.clear();
   std::vector<double> light(laws_.size());
   for (const Flight& flight : flights_) {
-    const double middle = flight.begin + 0.5 * flight.length;
-    const double since = std::fmod(first - middle + 2 * frame, frame);
+    const double since = std::fmod(first - flight.begin + frame, frame);
     for (std::size_t i = 0; i < laws_.size(); ++i) {
       light[i] = static_cast<double>(whole.whole);
       for (const DecayTerm& term : laws_[i].terms) {
-        light[i] += term.share * light_of_repeated(since, rest, frame, term.tau.count() * hz);
+        light[i] += term.share *
+                    light_of_repeated(since, rest, frame, flight.length, term.tau.count() * hz);
       }
     }
     if (*std::max_element(light.begin(), light.end()) < kLeastLight) continue;
