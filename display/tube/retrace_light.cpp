@@ -69,6 +69,43 @@ void RetraceLight::follow_line(const FlightPath& path, const Gun& gun, int line)
   if (h.back_porch > 0) follow(back + h.sync, h.back_porch);
 }
 
+namespace {
+
+/// The same of a term, for many excitations and one window: those that do not dwell on the window's
+/// ends need but one exponential.
+class TermInWindow {
+ public:
+  TermInWindow(const DecayTerm& term, double hz, double length, double period)
+      : share_(term.share),
+        tau_(term.tau.count() * hz),
+        length_(length),
+        period_(period),
+        within_(one_minus_exp(length / tau_)),
+        without_(one_minus_exp((period - length) / tau_)),
+        whole_(one_minus_exp(period / tau_)) {}
+  double light(double since, double dwell) {
+    if (dwell_ != dwell) {
+      dwell_ = dwell;
+      left_ = left_after_dwell(dwell, tau_) / whole_;
+    }
+    const double until = since + length_ - period_;  // since it came again
+    if (since >= dwell && until <= 0) {
+      return share_ * left_ * decayed(since - dwell, tau_).left * within_;
+    }
+    if (since >= dwell && until >= dwell) {
+      return share_ * (1 - left_ * decayed(until - dwell, tau_).left * without_);
+    }
+    return share_ * light_of_repeated(since, length_, period_, dwell, tau_);
+  }
+
+ private:
+  double share_, tau_, length_, period_;
+  double within_, without_, whole_;  // lost in the window, in the rest of a period, in all of it
+  double dwell_ = 0, left_ = 0;      // by all excitations until the last one's end
+};
+
+}  // namespace
+
 /// What each flight leaves in the layers in [begin, end).
 void RetraceLight::weigh(BeamTime begin, BeamTime end) {
   const double frame = to_clocks(scan_.frame_clocks()), hz = scan_.mode().pixel_clock_hz;
@@ -77,15 +114,16 @@ void RetraceLight::weigh(BeamTime begin, BeamTime end) {
   const double rest = to_clocks(whole.rest);
   strokes_.clear();
   weights_.clear();
+  std::vector<std::vector<TermInWindow>> terms(laws_.size());
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    for (const DecayTerm& term : laws_[i].terms) terms[i].emplace_back(term, hz, rest, frame);
+  }
   std::vector<double> light(laws_.size());
   for (const Flight& flight : flights_) {
     const double since = std::fmod(first - flight.begin + frame, frame);
     for (std::size_t i = 0; i < laws_.size(); ++i) {
       light[i] = static_cast<double>(whole.whole);
-      for (const DecayTerm& term : laws_[i].terms) {
-        light[i] += term.share *
-                    light_of_repeated(since, rest, frame, flight.length, term.tau.count() * hz);
-      }
+      for (TermInWindow& term : terms[i]) light[i] += term.light(since, flight.length);
     }
     if (*std::max_element(light.begin(), light.end()) < kLeastLight) continue;
     strokes_.push_back(flight.stroke);
