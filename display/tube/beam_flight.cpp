@@ -41,8 +41,8 @@ BeamStroke FlightPath::stroke(Place from, Place to, double current) const {
 }
 
 void FlightPainter::add(std::span<const BeamStroke> strokes, std::span<const float> weights,
-                        std::span<std::vector<float>* const> planes, Workers& workers) {
-  const std::size_t count = planes.size();
+                        std::span<const FlightLight> lights, Workers& workers) {
+  const std::size_t count = lights.size();
   if (tiles_.size() <= count) tiles_.resize(count + 1);
   TiledLight& tiles = tiles_[count];
   if (tiles.tiles() == 0) tiles = TiledLight(width_, height_, static_cast<int>(count));
@@ -54,10 +54,13 @@ void FlightPainter::add(std::span<const BeamStroke> strokes, std::span<const flo
     const int columns = std::min(kBeamTile, width_ - place.x);
     const int rows = std::min(kBeamTile, height_ - place.y);
     for (std::size_t p = 0; p < count; ++p) {
-      const float* from = tiles.plane(tile, static_cast<int>(p));
-      float* to = planes[p]->data() + static_cast<std::ptrdiff_t>(place.y) * width_ + place.x;
-      for (int y = 0; y < rows; ++y, from += kBeamTile, to += width_) {
-        add_scaled(columns, 1, from, to);
+      for (const FlightLight::Share& share : lights[p].to) {
+        if (!share.plane || share.scale == 0) continue;
+        const float* from = tiles.plane(tile, static_cast<int>(p));
+        float* to = share.plane->data() + static_cast<std::ptrdiff_t>(place.y) * width_ + place.x;
+        for (int y = 0; y < rows; ++y, from += kBeamTile, to += width_) {
+          add_scaled(columns, share.scale, from, to);
+        }
       }
     }
   });

@@ -1,6 +1,7 @@
 #include "display/tube/free_retrace.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "display/decay.h"
@@ -10,6 +11,7 @@ namespace kinescope {
 namespace {
 
 constexpr double kLeastLight = 1e-7;  // of a piece's whole light; less is not left behind
+constexpr std::size_t kLightsAtOnce = 4;
 
 }  // namespace
 
@@ -86,27 +88,45 @@ void FreeRetrace::follow_fields_lines(const Window& w) {
   }
 }
 
-void FreeRetrace::leave_term(std::size_t layer, std::size_t term, Afterglow& afterglow,
-                             std::vector<float>& sum, Workers& workers) {
-  const DecayTerm& law = laws_[layer].terms[term];
+/// Terms that leave light behind, the slowest first, so that those drawn together need much the
+/// same strokes.
+std::vector<FreeRetrace::TermPlace> FreeRetrace::terms_by_time() const {
+  std::vector<TermPlace> terms;
+  for (std::size_t layer = 0; layer < laws_.size(); ++layer) {
+    for (std::size_t term = 0; term < laws_[layer].terms.size(); ++term) {
+      terms.push_back({layer, term, laws_[layer].terms[term]});
+    }
+  }
+  std::stable_sort(terms.begin(), terms.end(),
+                   [](const TermPlace& a, const TermPlace& b) { return a.law.tau > b.law.tau; });
+  return terms;
+}
+
+/// What is left of a few terms, in one go.
+void FreeRetrace::leave_terms(std::span<const TermPlace> terms, Afterglow& afterglow,
+                              LightOverlay& sum, Workers& workers) {
   std::vector<BeamStroke> strokes;
-  std::vector<double> lefts;
+  std::vector<float> weights;
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
     const Laid& laid = laid_[i];
-    const double left = law.share * left_of_dose(laid.since_s, laid.dwell_s, law.tau.count());
-    if (left < kLeastLight) continue;
+    std::array<double, kLightsAtOnce> left{};
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      const DecayTerm& law = terms[t].law;
+      left[t] = law.share * left_of_dose(laid.since_s, laid.dwell_s, law.tau.count());
+    }
+    if (*std::max_element(left.begin(), left.end()) < kLeastLight) continue;
     strokes.push_back(strokes_[i]);
-    lefts.push_back(left * laid.dose);
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      weights.push_back(static_cast<float>(left[t] * laid.dose));
+    }
   }
   if (strokes.empty()) return;
-  const Afterglow::Opened opened = afterglow.open(layer, term);
-  std::vector<float> weights;
-  for (const double left : lefts) {
-    weights.push_back(static_cast<float>(left) * opened.scale);
-    weights.push_back(static_cast<float>(left) * opened.seen);
+  std::vector<FlightLight> lights;
+  for (const TermPlace& term : terms) {
+    const Afterglow::Opened opened = afterglow.open(term.layer, term.term);
+    lights.push_back({{{{&opened.to_come, opened.scale}, {&sum[term.layer], opened.seen}}}});
   }
-  const std::array<std::vector<float>*, 2> planes{&opened.to_come, &sum};
-  painter_.add(strokes, weights, planes, workers);
+  painter_.add(strokes, weights, lights, workers);
 }
 
 void FreeRetrace::add_light(Afterglow& afterglow, LightOverlay& sum, Workers& workers) {
@@ -120,13 +140,13 @@ void FreeRetrace::add_light(Afterglow& afterglow, LightOverlay& sum, Workers& wo
       weights.push_back(static_cast<float>(light * laid.dose));
     }
   }
-  std::vector<std::vector<float>*> planes;
-  for (std::vector<float>& plane : sum) planes.push_back(&plane);
-  painter_.add(strokes_, weights, planes, workers);
-  for (std::size_t layer = 0; layer < laws_.size(); ++layer) {
-    for (std::size_t term = 0; term < laws_[layer].terms.size(); ++term) {
-      leave_term(layer, term, afterglow, sum[layer], workers);
-    }
+  std::vector<FlightLight> lights;
+  for (std::vector<float>& plane : sum) lights.push_back({{{{&plane, 1}}}});
+  painter_.add(strokes_, weights, lights, workers);
+  const std::vector<TermPlace> terms = terms_by_time();
+  for (std::size_t i = 0; i < terms.size(); i += kLightsAtOnce) {
+    const std::size_t count = std::min(kLightsAtOnce, terms.size() - i);
+    leave_terms(std::span(terms).subspan(i, count), afterglow, sum, workers);
   }
 }
 

@@ -33,8 +33,13 @@ class FreeRetrace {
   void follow(const Window& w, double begin, double length, bool drawn);
   void follow_fields_lines(const Window& w);
   void add_light(Afterglow& afterglow, LightOverlay& sum, Workers& workers);
-  void leave_term(std::size_t layer, std::size_t term, Afterglow& afterglow,
-                  std::vector<float>& sum, Workers& workers);
+  struct TermPlace {
+    std::size_t layer, term;
+    DecayTerm law;
+  };
+  std::vector<TermPlace> terms_by_time() const;
+  void leave_terms(std::span<const TermPlace> terms, Afterglow& afterglow, LightOverlay& sum,
+                   Workers& workers);
 
   TubeSettings settings_;
   std::vector<Phosphor> laws_;

@@ -138,12 +138,12 @@ const LightOverlay& RetraceLight::light(BeamTime begin, BeamTime end, Workers& w
   length_drawn_ = even ? end - begin : BeamTime();
   weigh(begin, end);
   overlay_.resize(laws_.size());
-  std::vector<std::vector<float>*> planes;
+  std::vector<FlightLight> lights;
   for (std::vector<float>& plane : overlay_) {
     plane.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0.0f);
-    planes.push_back(&plane);
+    lights.push_back({{{{&plane, 1}}}});
   }
-  painter_.add(strokes_, weights_, planes, workers);
+  painter_.add(strokes_, weights_, lights, workers);
   return overlay_;
 }
 
