@@ -92,17 +92,27 @@ void CurvedRaster::spread_line(const LayerLight& light, SpreadRing& ring, int li
       light.rows(line), {ring.narrow.data() + at, ring.wide.data() + at});
 }
 
-/// Once for every row of the grid.
-void CurvedRaster::spread_lines(const LayerLight& light, SpreadRing& ring, int y) const {
+std::pair<int, int> CurvedRaster::lines_near(const SpreadRing& ring, int y) const {
   const int j = grid_row(y), nodes = ring.groups + 1;
-  if (ring.grid_row == j) return;
-  ring.grid_row = j;
   const float* above = map_.lines_at(j, ring.x / kGroup);
   const float* below = map_.lines_at(j + 1, ring.x / kGroup);
   const float low = *std::min_element(above, above + nodes);
   const float high = *std::max_element(below, below + nodes);
-  const int first = static_cast<int>(std::floor(low)) - kLineTaps / 2;
-  const int last = static_cast<int>(std::floor(high)) + kLineTaps / 2 + 1;
+  return {static_cast<int>(std::floor(low)) - kLineTaps / 2,
+          static_cast<int>(std::floor(high)) + kLineTaps / 2 + 1};
+}
+
+bool CurvedRaster::sees_lines(const SpreadRing& ring, int y, int begin, int end) const {
+  if (begin <= 0 && end >= lines_) return true;
+  const auto [first, last] = lines_near(ring, y);
+  return begin <= last && end > first;
+}
+
+/// Once for every row of the grid.
+void CurvedRaster::spread_lines(const LayerLight& light, SpreadRing& ring, int y) const {
+  if (ring.grid_row == grid_row(y)) return;
+  ring.grid_row = grid_row(y);
+  const auto [first, last] = lines_near(ring, y);
   ring.next_line = std::max(ring.next_line, first);
   for (; ring.next_line <= last; ++ring.next_line) spread_line(light, ring, ring.next_line);
 }

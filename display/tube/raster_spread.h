@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "display/tube/axis_weights.h"
@@ -45,6 +46,7 @@ class StraightRaster {
   StraightRaster(const TubeSettings& settings, const SpotModel& spot, int gun,
                  const RasterExtent& extent);
   void begin_tile(SpreadRing& ring, int x, int groups) const;
+  bool sees_lines(const SpreadRing&, int /*y*/, int begin, int end) const { return begin < end; }
   /// The light of one layer in the tile's row y; rows come from the top.
   void spread_row(const LayerLight& light, SpreadRing& ring, int y, float* out) const;
 
@@ -71,6 +73,8 @@ class CurvedRaster {
   /// Makes rings as large as the other's, if those are larger.
   void widen_ring(const CurvedRaster& other);
   void begin_tile(SpreadRing& ring, int x, int groups) const;
+  /// Whether light of lines [begin, end) may reach the tile's row y.
+  bool sees_lines(const SpreadRing& ring, int y, int begin, int end) const;
   /// Spreads the lines that the tile's row y needs across its columns.
   void spread_lines(const LayerLight& light, SpreadRing& ring, int y) const;
   /// The row's light, of this raster's ring and of others that share its lines.
@@ -86,6 +90,8 @@ class CurvedRaster {
   };
   double wider(float line) const;
   int grid_row(int y) const { return std::min(y / kGroup, map_.rows - 2); }
+  /// The first and last line that rows about y need.
+  std::pair<int, int> lines_near(const SpreadRing& ring, int y) const;
   void spread_line(const LayerLight& light, SpreadRing& ring, int line) const;
   std::ptrdiff_t ring_at(const SpreadRing& ring, int line) const;
 

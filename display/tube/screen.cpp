@@ -231,6 +231,11 @@ void spread_alike(const CurvedRaster& raster, std::span<const Screen::Spread> li
 void Screen::State::spread_tile(const Raster& of_gun, std::span<const Spread> lights, Scratch& s,
                                 int x, int top) const {
   const int n = std::min(tile_columns, width - x), groups = (n + kGroup - 1) / kGroup;
+  int lit_begin = Spread::kEveryLine, lit_end = 0;
+  for (const Spread& light : lights) {
+    lit_begin = std::min(lit_begin, light.lit_begin);
+    lit_end = std::max(lit_end, light.lit_end);
+  }
   std::visit(
       [&](const auto& raster) {
         for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -238,6 +243,7 @@ void Screen::State::spread_tile(const Raster& of_gun, std::span<const Spread> li
           raster.begin_tile(s.ring[i], x, groups);
         }
         for (int y = top; y < std::min(height, top + kTileRows); ++y) {
+          if (!raster.sees_lines(s.ring[0], y, lit_begin, lit_end)) continue;
           spread_alike(raster, lights, y, s);
           const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width + x;
           for (std::size_t i = 0; i < lights.size(); ++i) {
