@@ -10,6 +10,9 @@ namespace {
 constexpr double kPixelVariance = 1.0 / 12;  // of an output pixel's own width
 constexpr float kLeastDeviation = 0.02f;     // down, lines
 constexpr double kReach = 2.8;               // of a Gaussian, deviations
+// The widest that taps reach, cells across and lines down; yet so wide that lines of a white
+// picture run together as those of any wider spot do.
+constexpr double kWidestAcross = 0.89, kWidestDown = 0.64;
 
 int taps_for(double deviation_cells) {
   return std::clamp(static_cast<int>(std::ceil(1 + 2 * kReach * deviation_cells)), 4, kCellTaps);
@@ -17,9 +20,12 @@ int taps_for(double deviation_cells) {
 
 }  // namespace
 
-CurvedRaster::Deviations CurvedRaster::Deviations::widened(double times, double variance) const {
-  const auto of = [&](double sigma) { return std::sqrt(times * times * sigma * sigma + variance); };
-  return {of(narrow), of(wide)};
+CurvedRaster::Deviations CurvedRaster::Deviations::widened(double times,
+                                                           const Deviations& variances) const {
+  const auto of = [&](double sigma, double variance) {
+    return std::sqrt(std::max(times * times * sigma * sigma + variance, 1e-6));
+  };
+  return {of(narrow, variances.narrow), of(wide, variances.wide)};
 }
 
 CurvedRaster::CurvedRaster(const TubeSettings& settings, const SpotModel& spot, int gun,
@@ -33,10 +39,34 @@ CurvedRaster::CurvedRaster(const TubeSettings& settings, const SpotModel& spot, 
   const double x = pixels.across * spot.astigmatism(), y = pixels.down;
   across_ = {spot.narrow_mm() * x, spot.wide_mm() * x};
   down_ = {spot.narrow_mm() * y, spot.wide_mm() * y};
-  taps_ = taps_for(across_.widened(1, kPixelVariance).wide * static_cast<double>(cells_a_pixel_));
   const double pitch = e.lines / (e.height * settings.deflection.height);
-  variance_down_ = kPixelVariance + line_blur_variance(pitch) / (pitch * pitch);
+  beat_variance_ = line_blur_variance(pitch) / (pitch * pitch);
   grid_.lines_a_pixel = static_cast<float>(pitch);
+  set_reach(1, 1);
+}
+
+/// Leaves to taps what they reach of the narrowest spots, to the blur what all are wider than that.
+void CurvedRaster::set_reach(double least_wider, double most_wider) {
+  const double cells = static_cast<double>(cells_a_pixel_);
+  const double lines = static_cast<double>(grid_.lines_a_pixel);
+  const auto beyond = [&](double sigma, double widest) {
+    return std::max(0.0, std::pow(least_wider * sigma, 2) - widest * widest);
+  };
+  const auto of = [&](double across, double down) {
+    return CellBlur::Variance{beyond(across * cells, kWidestAcross),
+                              beyond(down * lines, kWidestDown)};
+  };
+  const CellBlur::Variance narrow = of(across_.narrow, down_.narrow);
+  const CellBlur::Variance wide = of(across_.wide, down_.wide);
+  blur_ = CellBlur(narrow, wide);
+  const auto pixels = [](double all, double blurred, double a_pixel) {
+    return all - blurred / (a_pixel * a_pixel);
+  };
+  variances_across_ = {pixels(kPixelVariance, narrow.across, cells),
+                       pixels(kPixelVariance, wide.across, cells)};
+  const double down = kPixelVariance + beat_variance_;
+  variances_down_ = {pixels(down, narrow.down, lines), pixels(down, wide.down, lines)};
+  taps_ = taps_for(across_.widened(most_wider, variances_across_).wide * cells);
 }
 
 CurvedRaster CurvedRaster::bent(const SweepWarp& warp) const {
@@ -47,9 +77,8 @@ CurvedRaster CurvedRaster::bent(const SweepWarp& warp) const {
     raster.wider_.push_back(
         static_cast<float>(spot_at_voltage(spot_, 1 / static_cast<double>(scale * scale))));
   }
-  const double widest = *std::max_element(raster.wider_.begin(), raster.wider_.end());
-  raster.taps_ =
-      taps_for(across_.widened(widest, kPixelVariance).wide * static_cast<double>(cells_a_pixel_));
+  const auto [least, most] = std::minmax_element(raster.wider_.begin(), raster.wider_.end());
+  raster.set_reach(*least, *most);
   return raster;
 }
 
@@ -84,11 +113,11 @@ void CurvedRaster::begin_tile(SpreadRing& ring, int x, int groups) const {
 
 void CurvedRaster::spread_line(const LayerLight& light, SpreadRing& ring, int line) const {
   const std::ptrdiff_t at = ring_at(ring, line);
-  if (line < 0 || line >= lines_) return ring.darken(at);
-  const Deviations across = across_.widened(wider(static_cast<float>(line)), kPixelVariance);
+  if (line < -light.beyond || line >= lines_ + light.beyond) return ring.darken(at);
+  const Deviations across = across_.widened(wider(static_cast<float>(line)), variances_across_);
   spread_across_curve(
-      {map_.cells_of(line) + ring.x / kGroup, ring.groups, cells_, taps_, cells_a_pixel_,
-       static_cast<float>(across.narrow), static_cast<float>(across.wide)},
+      {map_.cells_of(std::clamp(line, 0, lines_ - 1)) + ring.x / kGroup, ring.groups, cells_, taps_,
+       cells_a_pixel_, static_cast<float>(across.narrow), static_cast<float>(across.wide)},
       light.rows(line), {ring.narrow.data() + at, ring.wide.data() + at});
 }
 
@@ -125,7 +154,7 @@ void CurvedRaster::lines_down(const SpreadRing& ring, int y, std::span<const Lin
   grid.share = static_cast<float>(y - j * kGroup) * (1.0f / kGroup);
   grid.groups = ring.groups;
   // The voltage hardly changes among the few lines that meet in a row.
-  const Deviations down = down_.widened(wider(grid.above[ring.groups / 2]), variance_down_);
+  const Deviations down = down_.widened(wider(grid.above[ring.groups / 2]), variances_down_);
   grid.narrow_pixels = static_cast<float>(down.narrow);
   grid.wide_pixels = static_cast<float>(down.wide);
   grid.least_pitch = kLeastDeviation / grid.narrow_pixels;

@@ -11,6 +11,7 @@
 
 #include "display/tube/axis_weights.h"
 #include "display/tube/beam_map.h"
+#include "display/tube/cell_blur.h"
 #include "display/tube/curve_kernels.h"
 #include "display/tube/light_planes.h"
 #include "display/tube/settings.h"
@@ -68,6 +69,8 @@ class CurvedRaster {
                const RasterExtent& extent);
   /// The same raster as one sweep has it; where the voltage sagged, spots are wider.
   CurvedRaster bent(const SweepWarp& warp) const;
+  /// What cells must be blurred by before they are spread: a spot may be wider than taps reach.
+  const CellBlur& blur() const { return blur_; }
   /// Whether lines of the two lie within a hundredth of a line of each other.
   bool shares_lines_with(const CurvedRaster& other) const;
   /// Makes rings as large as the other's, if those are larger.
@@ -85,9 +88,10 @@ class CurvedRaster {
   /// Of the two Gaussians, pixels.
   struct Deviations {
     double narrow = 0, wide = 0;
-    /// With the spot so many times wider and a variance added.
-    Deviations widened(double times, double variance) const;
+    /// With the spot so many times wider and variances added.
+    Deviations widened(double times, const Deviations& variances) const;
   };
+  void set_reach(double least_wider, double most_wider);
   double wider(float line) const;
   int grid_row(int y) const { return std::min(y / kGroup, map_.rows - 2); }
   /// The first and last line that rows about y need.
@@ -98,9 +102,11 @@ class CurvedRaster {
   BeamMap map_;
   int cells_, lines_, taps_ = 6;
   float cells_a_pixel_;
-  Deviations across_, down_;  // of the spot alone
-  double variance_down_;      // of pixels, and against beats; square pixels
+  Deviations across_, down_;                      // of the spot alone
+  Deviations variances_across_, variances_down_;  // of pixels, and against beats, less the blur's
+  double beat_variance_ = 0;                      // down, square pixels
   SpotSettings spot_;
+  CellBlur blur_;
   std::vector<float> wider_;  // of each line of a sweep: how much wider its spots are
   LineGrid grid_{};           // what all rows have in common
 };

@@ -122,8 +122,6 @@ TEST(SaggedSpot, IsDrawnWithinAHundredthOfWhite) {
         }
       }
       EXPECT_LT(off, 0.01) << sag << " " << dot.code;
-      RecordProperty("off", std::to_string(off));
-      printf("%g %d %g\n", sag, dot.code, off);
     }
   }
 }
