@@ -226,6 +226,9 @@ RasterTube::~RasterTube() = default;
 
 const RasterScan& RasterTube::scan() const { return state_->scan; }
 const TubeSettings& RasterTube::settings() const { return state_->settings; }
+const FreeSweep* RasterTube::free_sweep() const {
+  return state_->free ? &state_->free->sweep() : nullptr;
+}
 Seconds RasterTube::now() const { return state_->scan.clock().seconds(state_->now); }
 
 void RasterTube::reset() { state_->reset(); }
