@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "display/decay.h"
 #include "display/tube/video_signal.h"
@@ -97,8 +98,9 @@ std::vector<FreeRetrace::TermPlace> FreeRetrace::terms_by_time() const {
       terms.push_back({layer, term, laws_[layer].terms[term]});
     }
   }
-  std::stable_sort(terms.begin(), terms.end(),
-                   [](const TermPlace& a, const TermPlace& b) { return a.law.tau > b.law.tau; });
+  std::sort(terms.begin(), terms.end(), [](const TermPlace& a, const TermPlace& b) {
+    return std::tuple(b.law.tau, a.layer, a.term) < std::tuple(a.law.tau, b.layer, b.term);
+  });
   return terms;
 }
 
