@@ -65,6 +65,7 @@ class FreeRaster {
   void load_voltage(BeamTime begin, BeamTime end);
   void pass_line(Field& field, BeamTime begin, BeamTime end, int line, Scratch& scratch);
   BeamTime line_begin(const SweptField& swept, int line) const;
+  static int cells_begun(BeamTime since_first, int cells);
   void show(Field& field, const GunRasters& rasters, const Screen& screen, LightOverlay& sum,
             Workers& workers) const;
   void darken(LayerLight& light, Workers& workers) const;
