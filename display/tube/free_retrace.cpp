@@ -1,7 +1,6 @@
 #include "display/tube/free_retrace.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -104,27 +103,44 @@ std::vector<FreeRetrace::TermPlace> FreeRetrace::terms_by_time() const {
   return terms;
 }
 
-/// What is left of a few terms, in one go.
-void FreeRetrace::leave_terms(std::span<const TermPlace> terms, Afterglow& afterglow,
-                              LightOverlay& sum, Workers& workers) {
+/// What each piece has left of each term, and what it has given.
+void FreeRetrace::weigh(const std::vector<TermPlace>& terms) {
+  left_.resize(strokes_.size() * terms.size());
+  given_.assign(strokes_.size() * laws_.size(), 0.0f);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const double tau_s = terms[t].law.tau.count();
+    double dwell_s = 0, after_dwell = 1;
+    for (std::size_t i = 0; i < strokes_.size(); ++i) {
+      const Laid& laid = laid_[i];
+      if (laid.dwell_s != dwell_s) {
+        dwell_s = laid.dwell_s;
+        after_dwell = left_after_dwell(dwell_s, tau_s);
+      }
+      const double left = after_dwell * decayed(laid.since_s - dwell_s, tau_s).left;
+      const double share = laid.dose * terms[t].law.share;
+      left_[i * terms.size() + t] = static_cast<float>(share * left);
+      given_[i * laws_.size() + terms[t].layer] += static_cast<float>(share * (1 - left));
+    }
+  }
+}
+
+/// What is left of terms from `first` on, as many as are drawn at once.
+void FreeRetrace::leave_terms(const std::vector<TermPlace>& terms, std::size_t first,
+                              Afterglow& afterglow, LightOverlay& sum, Workers& workers) {
+  const std::size_t count = std::min(kLightsAtOnce, terms.size() - first);
   std::vector<BeamStroke> strokes;
   std::vector<float> weights;
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
-    const Laid& laid = laid_[i];
-    std::array<double, kLightsAtOnce> left{};
-    for (std::size_t t = 0; t < terms.size(); ++t) {
-      const DecayTerm& law = terms[t].law;
-      left[t] = law.share * left_of_dose(laid.since_s, laid.dwell_s, law.tau.count());
-    }
-    if (*std::max_element(left.begin(), left.end()) < kLeastLight) continue;
+    const auto left = left_.begin() + static_cast<std::ptrdiff_t>(i * terms.size() + first);
+    const auto end = left + static_cast<std::ptrdiff_t>(count);
+    if (static_cast<double>(*std::max_element(left, end)) < kLeastLight * laid_[i].dose) continue;
     strokes.push_back(strokes_[i]);
-    for (std::size_t t = 0; t < terms.size(); ++t) {
-      weights.push_back(static_cast<float>(left[t] * laid.dose));
-    }
+    weights.insert(weights.end(), left, end);
   }
   if (strokes.empty()) return;
   std::vector<FlightLight> lights;
-  for (const TermPlace& term : terms) {
+  for (std::size_t t = first; t < first + count; ++t) {
+    const TermPlace& term = terms[t];
     const Afterglow::Opened opened = afterglow.open(term.layer, term.term);
     lights.push_back({{{{&opened.to_come, opened.scale}, {&sum[term.layer], opened.seen}}}});
   }
@@ -132,23 +148,13 @@ void FreeRetrace::leave_terms(std::span<const TermPlace> terms, Afterglow& after
 }
 
 void FreeRetrace::add_light(Afterglow& afterglow, LightOverlay& sum, Workers& workers) {
-  std::vector<float> weights;
-  for (const Laid& laid : laid_) {
-    for (const Phosphor& law : laws_) {
-      double light = 0;
-      for (const DecayTerm& term : law.terms) {
-        light += term.share * light_of_dose(0, laid.since_s, laid.dwell_s, term.tau.count());
-      }
-      weights.push_back(static_cast<float>(light * laid.dose));
-    }
-  }
+  const std::vector<TermPlace> terms = terms_by_time();
+  weigh(terms);
   std::vector<FlightLight> lights;
   for (std::vector<float>& plane : sum) lights.push_back({{{{&plane, 1}}}});
-  painter_.add(strokes_, weights, lights, workers);
-  const std::vector<TermPlace> terms = terms_by_time();
+  painter_.add(strokes_, given_, lights, workers);
   for (std::size_t i = 0; i < terms.size(); i += kLightsAtOnce) {
-    const std::size_t count = std::min(kLightsAtOnce, terms.size() - i);
-    leave_terms(std::span(terms).subspan(i, count), afterglow, sum, workers);
+    leave_terms(terms, i, afterglow, sum, workers);
   }
 }
 

@@ -38,8 +38,9 @@ class FreeRetrace {
     DecayTerm law;
   };
   std::vector<TermPlace> terms_by_time() const;
-  void leave_terms(std::span<const TermPlace> terms, Afterglow& afterglow, LightOverlay& sum,
-                   Workers& workers);
+  void weigh(const std::vector<TermPlace>& terms);
+  void leave_terms(const std::vector<TermPlace>& terms, std::size_t first, Afterglow& afterglow,
+                   LightOverlay& sum, Workers& workers);
 
   TubeSettings settings_;
   std::vector<Phosphor> laws_;
@@ -51,7 +52,9 @@ class FreeRetrace {
     double dose = 0, dwell_s = 0, since_s = 0;
   };
   std::vector<BeamStroke> strokes_;
-  std::vector<Laid> laid_;  // of each stroke
+  std::vector<Laid> laid_;    // of each stroke
+  std::vector<float> left_;   // of each stroke, of each term
+  std::vector<float> given_;  // of each stroke, of each layer
 };
 
 }  // namespace kinescope
