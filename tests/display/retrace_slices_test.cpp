@@ -11,12 +11,13 @@
 #include "display/tube/gun.h"
 #include "display/tube/spot.h"
 #include "tests/display/small_tube.h"
+#include "tests/sanitized.h"
 
 namespace kinescope {
 namespace {
 
 constexpr int kWidth = 80, kHeight = 60;
-constexpr int kSteps = 4;  // a clock
+constexpr int kSteps = kSanitized ? 2 : 4;  // a clock
 
 /// Half of each line, and a third of all lines, are blanked.
 VideoMode long_blanked_mode() {
@@ -139,8 +140,9 @@ TEST_P(RetraceSlices, AddUpToTheWhole) {
   RasterTube sliced = whole;
   LightSum one, many;
   one.add(whole.expose(buffer, at_clock(mode, end), workers));
-  for (int i = 1; i <= 300; ++i) {
-    many.add(sliced.expose(buffer, at_clock(mode, begin + (end - begin) * i / 300), workers));
+  constexpr int kSlices = kSanitized ? 40 : 300;
+  for (int i = 1; i <= kSlices; ++i) {
+    many.add(sliced.expose(buffer, at_clock(mode, begin + (end - begin) * i / kSlices), workers));
   }
   expect_equal_light(one, many, 1e-5, phosphor);
 }
