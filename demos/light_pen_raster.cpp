@@ -8,14 +8,14 @@
 #include "demos/demo.h"
 #include "demos/monitor.h"
 #include "demos/pen_chart.h"
+#include "demos/pen_drawing.h"
 #include "demos/pen_hand.h"
 #include "demos/ui/theme.h"
-#include "raster/line.h"
 
 namespace kinescope {
 namespace {
 
-enum { kGround, kView, kThreshold, kRise, kCorrect, kPhosphor, kSignal };
+enum { kGround, kView, kThreshold, kRise, kCorrect, kPhosphor, kHold, kSignal };
 
 constexpr std::array kPhosphors = {"P22", "P4", "P31", "P1"};
 constexpr std::uint32_t kInk = 0xffe0a0;
@@ -32,6 +32,8 @@ std::vector<Knob> all_knobs() {
           toggle_knob("delay corrected", "d", true, "the lag taken off before the pixel is told"),
           choice_knob("phosphor", {"p"}, {"P22 colour", "P4 white", "P31 green", "P1 slow green"},
                       0, "what glows, and for how long"),
+          number_knob("vertical hold", "9", "0", -2, 2, 0.1, 0, "Hz",
+                      "the picture rolls below the pen, which still tells what it sees"),
           toggle_knob("signal", "g", true, "what the photodiode saw, against time")};
 }
 
@@ -47,8 +49,11 @@ class LightPenRaster : public ClonableDemo<LightPenRaster> {
 
  private:
   TubeSettings tube() const {
-    return {parse_mode("640x480@60"),
-            kPhosphors[static_cast<std::size_t>(knob(kPhosphor).index())]};
+    TubeSettings tube{parse_mode("640x480@60"),
+                      kPhosphors[static_cast<std::size_t>(knob(kPhosphor).index())]};
+    const double off_hz = knob(kHold).value;
+    if (off_hz != 0) tube.sweep.field_hz = 1 / tube.mode.field_period().count() + off_hz;
+    return tube;
   }
   LightPenSettings held() const {
     return {hand_.place, knob(kView).value, knob(kThreshold).value,
@@ -62,11 +67,12 @@ class LightPenRaster : public ClonableDemo<LightPenRaster> {
   void update(const Step& step) override {
     const bool another = knob(kPhosphor).index() != phosphor_;
     phosphor_ = knob(kPhosphor).index();
-    if (another) monitor_.adjust(tube(), step.exposure.begin);
+    monitor_.adjust(tube(), step.exposure.begin);
     if (another || ground_ != ground()) clear();
     for (const InputEvent& event : step.events) hand_.answer(event, monitor_.face());
     if (!hand_.mouse) hand_.move_by_itself(step.exposure.begin);
     pen_ = LightPen(tube(), held());
+    if (const FreeSweep* sweep = monitor_.free_sweep()) pen_.follow(*sweep);
   }
 
   /// The bare screen; what was drawn is gone.
@@ -74,14 +80,9 @@ class LightPenRaster : public ClonableDemo<LightPenRaster> {
     ground_ = ground();
     FrameBuffer& buffer = monitor_.buffer();
     for (int y = 0; y < buffer.height(); ++y) {
-      for (int x = 0; x < buffer.width(); ++x) store(x, y, *ground_);
+      for (int x = 0; x < buffer.width(); ++x) store_square(buffer, x, y, 0, *ground_);
     }
     sight_.reset();
-  }
-  void store(int x, int y, std::uint32_t colour) {
-    FrameBuffer& buffer = monitor_.buffer();
-    if (x < 0 || y < 0 || x >= buffer.width() || y >= buffer.height()) return;
-    buffer.set_pixel(buffer.visible_page(), x, y, colour);
   }
 
   void draw(const Step& step, Image<Srgb8>& picture) override {
@@ -105,23 +106,12 @@ class LightPenRaster : public ClonableDemo<LightPenRaster> {
                    pen_.record(monitor_.buffer(), PenChart::shown(tripped))};
     if (hand_.draws || hand_.rubs) {
       const bool goes_on = sight_ && pressed_ && tripped - sight_->tripped < kForgotten;
-      stroke(goes_on ? sight_->address : sight.address, sight.address);
+      store_stroke(monitor_.buffer(), goes_on ? sight_->address : sight.address, sight.address,
+                   hand_.rubs ? 5 : 1, hand_.rubs ? *ground_ : kInk);
     }
     pressed_ = hand_.draws || hand_.rubs;
     sight_ = std::move(sight);
   }
-  void stroke(const PixelAddress& from, const PixelAddress& to) {
-    const int reach = hand_.rubs ? 5 : 1;
-    BresenhamLine line(from.pixel, from.line, to.pixel, to.line);
-    for (std::int64_t i = 0; i <= line.steps(); ++i, line.step()) {
-      for (int y = -reach; y <= reach; ++y) {
-        for (int x = -reach; x <= reach; ++x) {
-          store(line.x() + x, line.y() + y, hand_.rubs ? *ground_ : kInk);
-        }
-      }
-    }
-  }
-
   Monitor monitor_;
   PenHand hand_;
   LightPen pen_;

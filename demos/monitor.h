@@ -31,6 +31,8 @@ class Monitor {
 
   FrameBuffer& buffer() { return buffer_; }
   const RasterScan& scan() const { return tube_.scan(); }
+  /// Of a tube whose oscillators run free, else null; until knobs are turned.
+  const FreeSweep* free_sweep() const { return tube_.free_sweep(); }
   Rate refresh() const { return scan().mode().frame_rate(); }
   std::size_t state_bytes() const;
   void resize(const Rect& room);

@@ -26,9 +26,24 @@ SyncTiming parse_timing(const Words& words, std::size_t first, const std::string
   return {interval(0), interval(1), interval(2), interval(3), polarity == "+"};
 }
 
+/// A mode of the table by another name.
+VideoMode renamed(const std::vector<VideoMode>& modes, const Words& words,
+                  const std::string& where) {
+  for (VideoMode mode : modes) {
+    if (mode.name != words[2]) continue;
+    mode.name = words[0];
+    return mode;
+  }
+  throw_bad_input("no mode above has that name", kTableFile, where);
+}
+
 std::vector<VideoMode> parse_table() {
   std::vector<VideoMode> modes;
   for_each_data_line(embedded::modes_txt(), [&](const Words& words, const std::string& where) {
+    if (words.size() == 3 && words[1] == "=") {
+      modes.push_back(renamed(modes, words, where));
+      return;
+    }
     if (words.size() != 13) throw_bad_input("a mode has 13 words", kTableFile, where);
     VideoMode mode;
     mode.name = words[0];

@@ -100,7 +100,7 @@ struct RasterTube::State {
 RasterTube::State::State(const TubeSettings& s, int new_width, int new_height)
     : settings(s),
       scan(s.mode),
-      gun(s.gun, spot_of(s), s.mode.pixel_clock_hz),
+      gun(s.gun, SpotModel(s.spot), s.mode.pixel_clock_hz),
       beams(beams_of(find_phosphor(s.phosphor))),
       locked(s.mode, beams.signals, beams.layers, laws()),
       free(make_free()),
@@ -139,7 +139,7 @@ void RasterTube::State::turn_knobs(const TubeSettings& turned) {
   }
   const FreeSweep swept = free ? free->sweep() : FreeSweep({}, settings.mode);
   settings = turned;
-  gun = Gun(settings.gun, spot_of(settings), settings.mode.pixel_clock_hz);
+  gun = Gun(settings.gun, SpotModel(settings.spot), settings.mode.pixel_clock_hz);
   if (moves) {
     free = make_free();
     if (free) free->take_over(swept, now);
@@ -226,6 +226,9 @@ RasterTube::~RasterTube() = default;
 
 const RasterScan& RasterTube::scan() const { return state_->scan; }
 const TubeSettings& RasterTube::settings() const { return state_->settings; }
+const FreeSweep* RasterTube::free_sweep() const {
+  return state_->free ? &state_->free->sweep() : nullptr;
+}
 Seconds RasterTube::now() const { return state_->scan.clock().seconds(state_->now); }
 
 void RasterTube::reset() { state_->reset(); }

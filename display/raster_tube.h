@@ -11,6 +11,8 @@
 
 namespace kinescope {
 
+class FreeSweep;
+
 /// A tube's light. Its cells are the mode's pixels on their scan lines; deflection lays them on the
 /// glass, which fills the output image. A frame buffer smaller than the mode leaves the rest dark.
 /// A monochrome tube's drive is the guns' mixture 0.299 R + 0.587 G + 0.114 B; its white has the
@@ -28,6 +30,8 @@ class RasterTube {
 
   const RasterScan& scan() const;
   const TubeSettings& settings() const;
+  /// Of a raster whose sweeps land anew each time; else null. Valid until knobs are turned.
+  const FreeSweep* free_sweep() const;
   /// The end of the last exposure; 0 at first.
   Seconds now() const;
   /// Darkens the faceplate and returns to time 0.

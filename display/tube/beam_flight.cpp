@@ -1,6 +1,7 @@
 #include "display/tube/beam_flight.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "display/tube_kernels.h"
 
@@ -8,15 +9,20 @@ namespace kinescope {
 namespace {
 
 constexpr int kMiddleGun = 1;
+constexpr double kMostPieces = 256;  // finer than the spot is wide
 
 }  // namespace
+
+int flight_pieces(double clocks) {
+  return static_cast<int>(std::clamp(std::round(clocks), 1.0, kMostPieces));
+}
 
 FlightPath::FlightPath(const TubeSettings& settings, int width, int height)
     : width_(width),
       height_(height),
       deflection_(settings.deflection, settings.glass, kMiddleGun),
       camera_(settings.glass),
-      spot_(spot_of(settings)),
+      spot_(settings.spot),
       pixels_a_mm_(pixels_a_mm(settings.glass, width, height).down),
       cell_pixels_(static_cast<double>(width) * height * settings.deflection.width *
                    settings.deflection.height / settings.mode.horizontal.active /
@@ -35,8 +41,8 @@ BeamStroke FlightPath::stroke(Place from, Place to, double current) const {
 }
 
 void FlightPainter::add(std::span<const BeamStroke> strokes, std::span<const float> weights,
-                        std::span<std::vector<float>* const> planes, Workers& workers) {
-  const std::size_t count = planes.size();
+                        std::span<const FlightLight> lights, Workers& workers) {
+  const std::size_t count = lights.size();
   if (tiles_.size() <= count) tiles_.resize(count + 1);
   TiledLight& tiles = tiles_[count];
   if (tiles.tiles() == 0) tiles = TiledLight(width_, height_, static_cast<int>(count));
@@ -48,10 +54,13 @@ void FlightPainter::add(std::span<const BeamStroke> strokes, std::span<const flo
     const int columns = std::min(kBeamTile, width_ - place.x);
     const int rows = std::min(kBeamTile, height_ - place.y);
     for (std::size_t p = 0; p < count; ++p) {
-      const float* from = tiles.plane(tile, static_cast<int>(p));
-      float* to = planes[p]->data() + static_cast<std::ptrdiff_t>(place.y) * width_ + place.x;
-      for (int y = 0; y < rows; ++y, from += kBeamTile, to += width_) {
-        add_scaled(columns, 1, from, to);
+      for (const FlightLight::Share& share : lights[p].to) {
+        if (!share.plane || share.scale == 0) continue;
+        const float* from = tiles.plane(tile, static_cast<int>(p));
+        float* to = share.plane->data() + static_cast<std::ptrdiff_t>(place.y) * width_ + place.x;
+        for (int y = 0; y < rows; ++y, from += kBeamTile, to += width_) {
+          add_scaled(columns, share.scale, from, to);
+        }
       }
     }
   });

@@ -2,6 +2,7 @@
 // guns' beams fly together: errors of convergence are left out.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,11 @@ namespace kinescope {
 
 /// Rows of a screen's width for each layer, or none.
 using LightOverlay = std::vector<std::vector<float>>;
+
+/// Pieces into which a part of the way is cut that takes so many clocks. As a cell of the raster
+/// does, each lights as a whole while the beam is on it, whatever window cuts through it: so
+/// windows add up, and none shows where the beam has not been but for a clock.
+int flight_pieces(double clocks);
 
 /// From places of the sweep to strokes on the picture.
 class FlightPath {
@@ -35,17 +41,26 @@ class FlightPath {
   double pixels_a_mm_, cell_pixels_;
 };
 
-/// Adds strokes to planes of the screen's size; keeps its memory from call to call.
+/// Light that strokes leave, and the one or two planes of the screen's size to which it is added.
+struct FlightLight {
+  struct Share {
+    std::vector<float>* plane = nullptr;
+    float scale = 1;
+  };
+  std::array<Share, 2> to{};
+};
+
+/// Adds strokes to planes; keeps its memory from call to call.
 class FlightPainter {
  public:
   FlightPainter(int width, int height) : width_(width), height_(height) {}
-  /// @param weights for each stroke one for each plane
+  /// @param weights for each stroke one for each light
   void add(std::span<const BeamStroke> strokes, std::span<const float> weights,
-           std::span<std::vector<float>* const> planes, Workers& workers);
+           std::span<const FlightLight> lights, Workers& workers);
 
  private:
   int width_, height_;
-  std::vector<TiledLight> tiles_;  // of each number of planes
+  std::vector<TiledLight> tiles_;  // of each number of lights
   BeamPainter painter_;
 };
 

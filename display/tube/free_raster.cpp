@@ -14,27 +14,20 @@ namespace {
 
 // A cell of a field is excited once; it has been dark for so many clocks before.
 constexpr double kNever = 1e9;
-constexpr double kLeastLeft = 1e-7;  // share of a term that passes to the afterglow
 constexpr int kLead = 4;  // lines by which a place is known ahead: what a spot's weights look at
 
-int cells_begun(BeamTime since_first, int cells) {
+}  // namespace
+
+int FreeRaster::cells_begun(BeamTime since_first, int cells) {
   const std::int64_t begun = (since_first.raw() + BeamTime::kOne - 1) >> BeamTime::kBits;
   return static_cast<int>(std::clamp<std::int64_t>(begun, 0, cells));
 }
-
-void clear(LayerLight& light, int line, int cells) {
-  std::fill_n(light.narrow.line(line), cells, 0.0f);
-  std::fill_n(light.wide.line(line), cells, 0.0f);
-}
-
-}  // namespace
 
 FreeRaster::FreeRaster(const TubeSettings& settings, std::span<const Signal> signals,
                        std::span<const ScreenLayer> layers, std::span<const Phosphor> laws)
     : settings_(settings),
       sweep_(settings.sweep, settings.mode),
-      spot_(spot_of(settings)),
-      gun_(settings.gun, spot_, sweep_.clock_hz()),
+      gun_(settings.gun, SpotModel(settings.spot), sweep_.clock_hz()),
       signals_(signals.begin(), signals.end()),
       layers_(layers.begin(), layers.end()),
       laws_(laws.begin(), laws.end()),
@@ -45,8 +38,7 @@ FreeRaster::FreeRaster(const TubeSettings& settings, std::span<const Signal> sig
 
 void FreeRaster::turn_knobs(const TubeSettings& settings) {
   settings_ = settings;
-  spot_ = spot_of(settings);
-  gun_ = Gun(settings.gun, spot_, sweep_.clock_hz());
+  gun_ = Gun(settings.gun, SpotModel(settings.spot), sweep_.clock_hz());
 }
 
 void FreeRaster::take_over(const FreeSweep& before, BeamTime video_now) {
@@ -142,22 +134,15 @@ void FreeRaster::load_voltage(BeamTime begin, BeamTime end) {
   }
 }
 
-/// A cell's dose follows the time that the sweep gives it, and the voltage; a spot that the voltage
-/// defocuses lies more in the wide Gaussian.
+/// A cell's dose follows the time that the sweep gives it, and the voltage.
 void FreeRaster::weigh_doses(const Field& field, int line) {
   const float scale = field.warp.scale[static_cast<std::size_t>(line)];
   const float weight = dose_scale_ / (scale * scale);
   if (weight == 1) return;
-  const double voltage = std::max(1 / static_cast<double>(scale * scale), 1 - settings_.sweep.sag);
-  const auto widened = spot_.widened(spot_at_voltage(settings_.spot, voltage));
-  const auto kept = static_cast<float>(widened.kept), moved = static_cast<float>(widened.moved);
   for (LayerLight& doses : doses_) {
-    float* const narrow = doses.narrow.line(line);
-    float* const wide = doses.wide.line(line);
-    for (int i = 0; i < cells_; ++i) {
-      const float all = weight * (narrow[i] + wide[i]);
-      wide[i] = weight * kept * wide[i] + moved * all;
-      narrow[i] = all - wide[i];
+    for (CellPlane* plane : {&doses.narrow, &doses.wide}) {
+      float* const dose = plane->line(line);
+      for (int i = 0; i < cells_; ++i) dose[i] *= weight;
     }
   }
 }
@@ -205,71 +190,21 @@ void FreeRaster::pass_sweep(const RasterScan& scan, const FrameBuffer& buffer, B
   });
 }
 
+/// Of a field that may still be drawn.
+int FreeRaster::lines_begun(const Field& field) const {
+  int lines = field.swept.lines;
+  while (lines > 0 && line_begin(field.swept, lines - 1) >= now_) --lines;
+  return lines;
+}
+
 /// Lays the field's light of this pass on the screen.
 void FreeRaster::show(Field& field, const GunRasters& rasters, const Screen& screen,
                       LightOverlay& sum, Workers& workers) const {
   for (std::size_t i = 0; i < layers_.size(); ++i) {
-    const Screen::Spread spread{&field.light[i], {{{&sum[i], 1}}}};
+    const Screen::Spread spread{&field.light[i], {{{&sum[i], 1}}}, 0, lines_begun(field)};
     screen.spread(rasters, i, {&spread, 1}, workers);
     darken(field.light[i], workers);
   }
-}
-
-void FreeRaster::darken(LayerLight& light, Workers& workers) const {
-  workers.run(line_tasks(lines_), [&](int task, int) {
-    const int stop = std::min(lines_, (task + 1) * kLinesATask);
-    for (int line = task * kLinesATask; line < stop; ++line) clear(light, line, cells_);
-  });
-}
-
-/// What a term still has to give now, of each cell.
-void FreeRaster::left_of(Field& field, std::size_t layer, std::size_t term, LayerLight& light,
-                         Workers& workers) const {
-  workers.run(line_tasks(lines_), [&](int task, int) {
-    const int stop = std::min(lines_, (task + 1) * kLinesATask);
-    for (int line = task * kLinesATask; line < stop; ++line) {
-      clear(light, line, cells_);
-      if (line >= field.swept.lines) continue;
-      const BeamTime at = line_begin(field.swept, line);
-      const CellRange begun{0, cells_begun(now_ - at, cells_), to_clocks(now_ - at), false, 0};
-      field.phosphor[layer].leave(term, line, begun,
-                                  {light.narrow.line(line), light.wide.line(line)});
-    }
-  });
-}
-
-/// Lays the field's light of this pass on the screen, if there is a sum for it, and hands over what
-/// is left: all at once, for the lines lie alike.
-void FreeRaster::leave(Field& field, const GunRasters& rasters, const Screen& screen,
-                       LightOverlay* sum, Afterglow& afterglow, Workers& workers) {
-  const BeamTime last = line_begin(field.swept, field.swept.lines) - clocks(1);
-  const double since_last_s = std::max(0.0, to_clocks(now_ - last)) / sweep_.clock_hz();
-  for (std::size_t i = 0; i < layers_.size(); ++i) {
-    const std::vector<DecayTerm>& terms = laws_[i].terms;
-    while (leaving_.size() < terms.size()) {
-      leaving_.push_back({{cells_, lines_}, {cells_, lines_}});
-    }
-    std::vector<Screen::Spread> spreads;
-    if (sum) spreads.push_back({&field.light[i], {{{&(*sum)[i], 1}}}});
-    for (std::size_t term = 0; term < terms.size(); ++term) {
-      const double left = decayed(since_last_s, terms[term].tau.count()).left;
-      if (left * terms[term].share < kLeastLeft) continue;
-      left_of(field, i, term, leaving_[term], workers);
-      const Afterglow::Opened opened = afterglow.open(i, term);
-      spreads.push_back(
-          {&leaving_[term],
-           {{{&opened.to_come, opened.scale}, {sum ? &(*sum)[i] : nullptr, opened.seen}}}});
-    }
-    screen.spread(rasters, i, spreads, workers);
-    darken(field.light[i], workers);
-  }
-}
-
-void FreeRaster::leave(const Screen& screen, Afterglow& afterglow, Workers& workers) {
-  for (Field& field : fields_) {
-    leave(field, *screen.bent(field.warp), screen, nullptr, afterglow, workers);
-  }
-  fields_.clear();
 }
 
 void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begin, BeamTime end,
@@ -294,7 +229,7 @@ void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begi
       now_ = cut;
     }
   };
-  now_ = sweep_.of_video(begin);
+  now_ = pass_begin_ = sweep_.of_video(begin);
   for (BeamTime flip = scan.retrace_from(begin); flip < end;
        flip = scan.retrace_from(flip + BeamTime::from_raw(1))) {
     pass_to(flip);

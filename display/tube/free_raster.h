@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "display/frame_buffer.h"
@@ -64,17 +65,20 @@ class FreeRaster {
   void load_voltage(BeamTime begin, BeamTime end);
   void pass_line(Field& field, BeamTime begin, BeamTime end, int line, Scratch& scratch);
   BeamTime line_begin(const SweptField& swept, int line) const;
+  static int cells_begun(BeamTime since_first, int cells);
   void show(Field& field, const GunRasters& rasters, const Screen& screen, LightOverlay& sum,
             Workers& workers) const;
   void darken(LayerLight& light, Workers& workers) const;
   void left_of(Field& field, std::size_t layer, std::size_t term, LayerLight& light,
                Workers& workers) const;
+  int lines_begun(const Field& field) const;
+  void take_off(LayerLight& from, const LayerLight& light, double share, Workers& workers) const;
+  std::pair<int, int> lit_lines(const LayerLight& light) const;
   void leave(Field& field, const GunRasters& rasters, const Screen& screen, LightOverlay* sum,
              Afterglow& afterglow, Workers& workers);
 
   TubeSettings settings_;
   FreeSweep sweep_;
-  SpotModel spot_;
   Gun gun_;
   std::vector<Signal> signals_;
   std::vector<ScreenLayer> layers_;
@@ -82,6 +86,7 @@ class FreeRaster {
   int cells_, lines_;
   float dose_scale_;               // of white, to a cell of one sweep
   BeamTime now_;                   // in sweep clocks
+  BeamTime pass_begin_;            // of this pass
   std::vector<Field> fields_;      // at most two: the last, and the one before
   std::vector<LayerLight> doses_;  // of each signal, of the last field
   std::vector<float> currents_;    // of each of its lines, the mean of all guns; white's is 1

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "display/decay.h"
 #include "display/tube/video_signal.h"
@@ -9,9 +10,8 @@
 namespace kinescope {
 namespace {
 
-constexpr int kPieces = 48;           // of a blanked sweep, in which sync tips begin and end
-constexpr int kFlightPieces = 32;     // of a flight back, whose speed changes
-constexpr double kLeastLight = 1e-7;  // of a flight's whole light; less is left out
+constexpr double kLeastLight = 1e-7;  // of a piece's whole light; less is not left behind
+constexpr std::size_t kLightsAtOnce = 4;
 
 }  // namespace
 
@@ -54,23 +54,26 @@ Place FreeRetrace::sweep_at(const Window& w, double clock) const {
 }
 
 /// @param drawn whether it is a part of the picture, and not blanked
-void FreeRetrace::follow(const Window& w, double begin, double length, int pieces, bool drawn) {
+void FreeRetrace::follow(const Window& w, double begin, double length, bool drawn) {
   if (drawn || begin + length <= w.begin || begin >= w.end) return;
   const double frame =
       static_cast<double>(settings_.mode.horizontal.total()) * settings_.mode.vertical.total();
+  const int pieces = flight_pieces(length);
   const double step = length / pieces, video = w.sweep.video_clocks();
+  const double whole_field = to_clocks(w.field.end - w.field.begin), hz = w.sweep.clock_hz();
   for (int i = 0; i < pieces; ++i) {
     const double clock = begin + i * step, middle = clock + 0.5 * step;
-    // A piece belongs to the window and the field in which its middle lies.
-    if (middle < w.begin || middle >= w.end) continue;
+    const double from = std::max(clock, w.begin), to = std::min(clock + step, w.end);
+    if (from >= to) continue;
     const double in_frame = std::fmod((to_clocks(w.field.begin) + middle) * video, frame);
     const double current = current_[in_sync_tip(settings_.mode, in_frame) ? 1 : 0];
     if (!(current > 0)) continue;
-    const double inset = 1e-3 * step;  // so that it lies in one phase
-    strokes_.push_back(
-        path_.stroke(sweep_at(w, clock + inset), sweep_at(w, clock + step - inset), current));
-    doses_.push_back(current * path_.cell_pixels() * step * video);
-    since_s_.push_back((w.end - middle) / w.sweep.clock_hz());
+    // So that it lies in one phase and in its field, whatever the window.
+    const double inset = 1e-3 * step, first = std::max(clock, 0.0) + inset;
+    const double last = std::max(first, std::min(clock + step, whole_field) - inset);
+    strokes_.push_back(path_.stroke(sweep_at(w, first), sweep_at(w, last), current));
+    laid_.push_back({current * path_.cell_pixels() * (to - from) * video, (to - from) / hz,
+                     (w.end - from) / hz});
   }
 }
 
@@ -79,52 +82,79 @@ void FreeRetrace::follow_fields_lines(const Window& w) {
   const int first = static_cast<int>(std::floor((w.begin - w.first_line) / w.line));
   for (int line = std::max(first, -1); w.first_line + line * w.line < w.end; ++line) {
     const double start = w.first_line + line * w.line, back = start + h.active + h.front_porch;
-    follow(w, start, h.active, kPieces, line >= 0 && line < w.field.lines);
-    if (h.front_porch > 0) follow(w, start + h.active, h.front_porch, 1, false);
-    follow(w, back, h.sync + h.back_porch, kFlightPieces, false);
+    follow(w, start, h.active, line >= 0 && line < w.field.lines);
+    if (h.front_porch > 0) follow(w, start + h.active, h.front_porch, false);
+    follow(w, back, h.sync + h.back_porch, false);
   }
 }
 
-void FreeRetrace::leave_term(std::size_t layer, std::size_t term, Afterglow& afterglow,
-                             std::vector<float>& sum, Workers& workers) {
-  const DecayTerm& law = laws_[layer].terms[term];
+/// Terms that leave light behind, the slowest first, so that those drawn together need much the
+/// same strokes.
+std::vector<FreeRetrace::TermPlace> FreeRetrace::terms_by_time() const {
+  std::vector<TermPlace> terms;
+  for (std::size_t layer = 0; layer < laws_.size(); ++layer) {
+    for (std::size_t term = 0; term < laws_[layer].terms.size(); ++term) {
+      terms.push_back({layer, term, laws_[layer].terms[term]});
+    }
+  }
+  std::sort(terms.begin(), terms.end(), [](const TermPlace& a, const TermPlace& b) {
+    return std::tuple(b.law.tau, a.layer, a.term) < std::tuple(a.law.tau, b.layer, b.term);
+  });
+  return terms;
+}
+
+/// What each piece has left of each term, and what it has given.
+void FreeRetrace::weigh(const std::vector<TermPlace>& terms) {
+  left_.resize(strokes_.size() * terms.size());
+  given_.assign(strokes_.size() * laws_.size(), 0.0f);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const double tau_s = terms[t].law.tau.count();
+    double dwell_s = 0, after_dwell = 1;
+    for (std::size_t i = 0; i < strokes_.size(); ++i) {
+      const Laid& laid = laid_[i];
+      if (laid.dwell_s != dwell_s) {
+        dwell_s = laid.dwell_s;
+        after_dwell = left_after_dwell(dwell_s, tau_s);
+      }
+      const double left = after_dwell * decayed(laid.since_s - dwell_s, tau_s).left;
+      const double share = laid.dose * terms[t].law.share;
+      left_[i * terms.size() + t] = static_cast<float>(share * left);
+      given_[i * laws_.size() + terms[t].layer] += static_cast<float>(share * (1 - left));
+    }
+  }
+}
+
+/// What is left of terms from `first` on, as many as are drawn at once.
+void FreeRetrace::leave_terms(const std::vector<TermPlace>& terms, std::size_t first,
+                              Afterglow& afterglow, LightOverlay& sum, Workers& workers) {
+  const std::size_t count = std::min(kLightsAtOnce, terms.size() - first);
   std::vector<BeamStroke> strokes;
-  std::vector<double> lefts;
+  std::vector<float> weights;
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
-    const double left = law.share * decayed(since_s_[i], law.tau.count()).left;
-    if (left < kLeastLight) continue;
+    const auto left = left_.begin() + static_cast<std::ptrdiff_t>(i * terms.size() + first);
+    const auto end = left + static_cast<std::ptrdiff_t>(count);
+    if (static_cast<double>(*std::max_element(left, end)) < kLeastLight * laid_[i].dose) continue;
     strokes.push_back(strokes_[i]);
-    lefts.push_back(left * doses_[i]);
+    weights.insert(weights.end(), left, end);
   }
   if (strokes.empty()) return;
-  const Afterglow::Opened opened = afterglow.open(layer, term);
-  std::vector<float> weights;
-  for (const double left : lefts) {
-    weights.push_back(static_cast<float>(left) * opened.scale);
-    weights.push_back(static_cast<float>(left) * opened.seen);
+  std::vector<FlightLight> lights;
+  for (std::size_t t = first; t < first + count; ++t) {
+    const TermPlace& term = terms[t];
+    const Afterglow::Opened opened = afterglow.open(term.layer, term.term);
+    lights.push_back({{{{&opened.to_come, opened.scale}, {&sum[term.layer], opened.seen}}}});
   }
-  const std::array<std::vector<float>*, 2> planes{&opened.to_come, &sum};
-  painter_.add(strokes, weights, planes, workers);
+  painter_.add(strokes, weights, lights, workers);
 }
 
 void FreeRetrace::add_light(Afterglow& afterglow, LightOverlay& sum, Workers& workers) {
-  std::vector<float> weights;
-  for (std::size_t i = 0; i < strokes_.size(); ++i) {
-    for (const Phosphor& law : laws_) {
-      double light = 0;
-      for (const DecayTerm& term : law.terms) {
-        light += term.share * decayed(since_s_[i], term.tau.count()).lost;
-      }
-      weights.push_back(static_cast<float>(light * doses_[i]));
-    }
-  }
-  std::vector<std::vector<float>*> planes;
-  for (std::vector<float>& plane : sum) planes.push_back(&plane);
-  painter_.add(strokes_, weights, planes, workers);
-  for (std::size_t layer = 0; layer < laws_.size(); ++layer) {
-    for (std::size_t term = 0; term < laws_[layer].terms.size(); ++term) {
-      leave_term(layer, term, afterglow, sum[layer], workers);
-    }
+  const std::vector<TermPlace> terms = terms_by_time();
+  weigh(terms);
+  std::vector<FlightLight> lights;
+  for (std::vector<float>& plane : sum) lights.push_back({{{{&plane, 1}}}});
+  painter_.add(strokes_, given_, lights, workers);
+  for (std::size_t i = 0; i < terms.size(); i += kLightsAtOnce) {
+    leave_terms(terms, i, afterglow, sum, workers);
   }
 }
 
@@ -135,8 +165,7 @@ void FreeRetrace::pass(const FreeSweep& sweep, const SweptField& field, const Sw
   const double line = to_clocks(sweep.line_period());
   const double first_line = to_clocks(field.first_line - field.begin);
   strokes_.clear();
-  doses_.clear();
-  since_s_.clear();
+  laid_.clear();
   follow_fields_lines({sweep, field, warp, to_clocks(begin - field.begin),
                        to_clocks(end - field.begin), line, first_line,
                        field.first_place - first_line / line});

@@ -30,19 +30,31 @@ class FreeRetrace {
  private:
   struct Window;
   Place sweep_at(const Window& w, double clock) const;
-  void follow(const Window& w, double begin, double length, int pieces, bool drawn);
+  void follow(const Window& w, double begin, double length, bool drawn);
   void follow_fields_lines(const Window& w);
   void add_light(Afterglow& afterglow, LightOverlay& sum, Workers& workers);
-  void leave_term(std::size_t layer, std::size_t term, Afterglow& afterglow,
-                  std::vector<float>& sum, Workers& workers);
+  struct TermPlace {
+    std::size_t layer, term;
+    DecayTerm law;
+  };
+  std::vector<TermPlace> terms_by_time() const;
+  void weigh(const std::vector<TermPlace>& terms);
+  void leave_terms(const std::vector<TermPlace>& terms, std::size_t first, Afterglow& afterglow,
+                   LightOverlay& sum, Workers& workers);
 
   TubeSettings settings_;
   std::vector<Phosphor> laws_;
   FlightPath path_;
   FlightPainter painter_;
   std::array<double, 2> current_{};  // of the blanked beam; at sync tips
+  /// What the beam laid on a piece in the window, and for how long until its end, seconds.
+  struct Laid {
+    double dose = 0, dwell_s = 0, since_s = 0;
+  };
   std::vector<BeamStroke> strokes_;
-  std::vector<double> doses_, since_s_;  // of each stroke; how long ago at the window's end
+  std::vector<Laid> laid_;    // of each stroke
+  std::vector<float> left_;   // of each stroke, of each term
+  std::vector<float> given_;  // of each stroke, of each layer
 };
 
 }  // namespace kinescope

@@ -31,8 +31,11 @@ class CellPlane {
 /// By layer, as the narrow and as the wide Gaussian draws it.
 struct LayerLight {
   CellPlane narrow, wide;
+  int beyond = 0;  ///< lines that the planes have before the raster's first and after its last
 
-  CellRows rows(int line) const { return {narrow.line(line), wide.line(line), narrow.pitch()}; }
+  CellRows rows(int line) const {
+    return {narrow.line(line + beyond), wide.line(line + beyond), narrow.pitch()};
+  }
 };
 
 }  // namespace kinescope

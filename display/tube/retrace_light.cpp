@@ -9,18 +9,18 @@
 namespace kinescope {
 namespace {
 
-constexpr int kPieces = 8;            // of a sweep
-constexpr int kFlightPieces = 48;     // of a flight back, whose speed changes
-constexpr double kWithin = 1e-3;      // clocks from a piece's ends, so that it lies in one phase
-constexpr double kLeastLight = 1e-7;  // of a flight's whole light; less is left out
+constexpr double kWithin = 1e-3;       // clocks from a piece's ends, so that it lies in one phase
+constexpr double kLeastLight = 1e-12;  // of a piece's whole light; less is left out
 
 }  // namespace
 
-double light_of_repeated(double since, double length, double period, double tau) {
-  const double whole = one_minus_exp(period / tau);
+double light_of_repeated(double since, double length, double period, double dwell, double tau) {
+  // What is left of all periods before, when another dwell begins.
+  const double before = left_after_dwell(dwell, tau) * decayed(period - dwell, tau).left /
+                        one_minus_exp(period / tau);
   const auto from = [&](double begin, double end) {
-    const Decayed before = decayed(begin, tau);
-    return before.left * one_minus_exp((end - begin) / tau) / whole;
+    return light_of_dose(begin, end, dwell, tau) +
+           before * decayed(begin, tau).left * one_minus_exp((end - begin) / tau);
   };
   if (since + length <= period) return from(since, since + length);
   return from(since, period) + from(0, since + length - period);
@@ -36,20 +36,20 @@ RetraceLight::RetraceLight(const TubeSettings& settings, const Gun& gun,
   if (!(gun.blanked_current(false) > 0)) return;
   const FlightPath path(settings, width, height);
   for (int line = 0; line < settings.mode.vertical.total(); ++line) {
-    follow_line(path, gun, line, settings.gun.sync > 0);
+    follow_line(path, gun, line);
   }
 }
 
 /// The line's sweep, its front porch and its flight back, each in pieces that are all but straight.
-void RetraceLight::follow_line(const FlightPath& path, const Gun& gun, int line,
-                               bool sync_matters) {
+void RetraceLight::follow_line(const FlightPath& path, const Gun& gun, int line) {
   const SyncTiming& h = scan_.mode().horizontal;
   const double hz = scan_.mode().pixel_clock_hz;
   const auto sweep_at = [&](double clock) {
     const BeamPosition beam = scan_.at(Seconds(clock / hz));
     return Place{2 * beam.x - 1, 2 * beam.y - 1};
   };
-  const auto follow = [&](double begin, double length, int pieces) {
+  const auto follow = [&](double begin, double length) {
+    const int pieces = flight_pieces(length);
     const double step = length / pieces;
     for (int i = 0; i < pieces; ++i) {
       const double clock = begin + i * step, middle = clock + 0.5 * step;
@@ -63,11 +63,48 @@ void RetraceLight::follow_line(const FlightPath& path, const Gun& gun, int line,
   };
   const double start = static_cast<double>(line) * h.total();
   const double back = start + h.active + h.front_porch;
-  follow(start, h.active, sync_matters ? kFlightPieces : kPieces);
-  if (h.front_porch > 0) follow(start + h.active, h.front_porch, 1);
-  follow(back, h.sync, kFlightPieces / 2);
-  if (h.back_porch > 0) follow(back + h.sync, h.back_porch, kFlightPieces / 2);
+  follow(start, h.active);
+  if (h.front_porch > 0) follow(start + h.active, h.front_porch);
+  follow(back, h.sync);
+  if (h.back_porch > 0) follow(back + h.sync, h.back_porch);
 }
+
+namespace {
+
+/// The same of a term, for many excitations and one window: those that do not dwell on the window's
+/// ends need but one exponential.
+class TermInWindow {
+ public:
+  TermInWindow(const DecayTerm& term, double hz, double length, double period)
+      : share_(term.share),
+        tau_(term.tau.count() * hz),
+        length_(length),
+        period_(period),
+        within_(one_minus_exp(length / tau_)),
+        without_(one_minus_exp((period - length) / tau_)),
+        whole_(one_minus_exp(period / tau_)) {}
+  double light(double since, double dwell) {
+    if (dwell_ != dwell) {
+      dwell_ = dwell;
+      left_ = left_after_dwell(dwell, tau_) / whole_;
+    }
+    const double until = since + length_ - period_;  // since it came again
+    if (since >= dwell && until <= 0) {
+      return share_ * left_ * decayed(since - dwell, tau_).left * within_;
+    }
+    if (since >= dwell && until >= dwell) {
+      return share_ * (1 - left_ * decayed(until - dwell, tau_).left * without_);
+    }
+    return share_ * light_of_repeated(since, length_, period_, dwell, tau_);
+  }
+
+ private:
+  double share_, tau_, length_, period_;
+  double within_, without_, whole_;  // lost in the window, in the rest of a period, in all of it
+  double dwell_ = 0, left_ = 0;      // by all excitations until the last one's end
+};
+
+}  // namespace
 
 /// What each flight leaves in the layers in [begin, end).
 void RetraceLight::weigh(BeamTime begin, BeamTime end) {
@@ -77,15 +114,16 @@ void RetraceLight::weigh(BeamTime begin, BeamTime end) {
   const double rest = to_clocks(whole.rest);
   strokes_.clear();
   weights_.clear();
+  std::vector<std::vector<TermInWindow>> terms(laws_.size());
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    for (const DecayTerm& term : laws_[i].terms) terms[i].emplace_back(term, hz, rest, frame);
+  }
   std::vector<double> light(laws_.size());
   for (const Flight& flight : flights_) {
-    const double middle = flight.begin + 0.5 * flight.length;
-    const double since = std::fmod(first - middle + 2 * frame, frame);
+    const double since = std::fmod(first - flight.begin + frame, frame);
     for (std::size_t i = 0; i < laws_.size(); ++i) {
       light[i] = static_cast<double>(whole.whole);
-      for (const DecayTerm& term : laws_[i].terms) {
-        light[i] += term.share * light_of_repeated(since, rest, frame, term.tau.count() * hz);
-      }
+      for (TermInWindow& term : terms[i]) light[i] += term.light(since, flight.length);
     }
     if (*std::max_element(light.begin(), light.end()) < kLeastLight) continue;
     strokes_.push_back(flight.stroke);
@@ -100,12 +138,12 @@ const LightOverlay& RetraceLight::light(BeamTime begin, BeamTime end, Workers& w
   length_drawn_ = even ? end - begin : BeamTime();
   weigh(begin, end);
   overlay_.resize(laws_.size());
-  std::vector<std::vector<float>*> planes;
+  std::vector<FlightLight> lights;
   for (std::vector<float>& plane : overlay_) {
     plane.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0.0f);
-    planes.push_back(&plane);
+    lights.push_back({{{{&plane, 1}}}});
   }
-  painter_.add(strokes_, weights_, planes, workers);
+  painter_.add(strokes_, weights_, lights, workers);
   return overlay_;
 }
 

@@ -27,13 +27,13 @@ class RetraceLight {
   const LightOverlay& light(BeamTime begin, BeamTime end, Workers& workers);
 
  private:
-  /// A piece of the blanked beam's way, straight and evenly run, and when; clocks of the frame.
+  /// A piece of the blanked beam's way, and when it is run; clocks of the frame.
   struct Flight {
     BeamStroke stroke;
     double begin = 0, length = 0;
     double dose = 0;
   };
-  void follow_line(const FlightPath& path, const Gun& gun, int line, bool sync_matters);
+  void follow_line(const FlightPath& path, const Gun& gun, int line);
   void weigh(BeamTime begin, BeamTime end);
 
   RasterScan scan_;
@@ -47,8 +47,8 @@ class RetraceLight {
   BeamTime length_drawn_;  // of whole frames only: then the light is the same at every phase
 };
 
-/// Of excitation that comes back every period, each time with a light of 1: what a term gives from
-/// `since` to `since + length` after it came, length at most a period.
-double light_of_repeated(double since, double length, double period, double tau);
+/// Of excitation that comes back every period, each time with a light of 1 spread over a dwell:
+/// what a term gives from `since` to `since + length` after it began, length at most a period.
+double light_of_repeated(double since, double length, double period, double dwell, double tau);
 
 }  // namespace kinescope

@@ -46,15 +46,19 @@ bool one_mask(const TubeSettings& a, const TubeSettings& b) {
 }
 bool one_raster(const TubeSettings& a, const TubeSettings& b) {
   return one_shape(a.glass, b.glass) && a.mode == b.mode && a.spot == b.spot &&
-         a.deflection == b.deflection && is_free(a) == is_free(b) && a.sweep.sag == b.sweep.sag;
+         a.deflection == b.deflection && is_free(a) == is_free(b);
+}
+
+/// Lines of cells: of a free raster, of one sweep.
+int lines_of(const TubeSettings& s) {
+  return is_free(s) ? field_lines(s.mode) : s.mode.vertical.active;
 }
 
 /// Of a free raster, those of a sweep that lies where it should.
 std::shared_ptr<const GunRasters> make_rasters(const TubeSettings& s, int guns, bool straight,
                                                int width, int height) {
-  const int lines = is_free(s) ? field_lines(s.mode) : s.mode.vertical.active;
-  const RasterExtent extent{s.mode.horizontal.active, lines, width, height};
-  const SpotModel spot = spot_of(s);
+  const RasterExtent extent{s.mode.horizontal.active, lines_of(s), width, height};
+  const SpotModel spot(s.spot);
   GunRasters rasters;
   for (int gun = 0; gun < guns; ++gun) {
     if (straight) {
@@ -92,6 +96,7 @@ struct Screen::State {
         const State* like);
   double draw(std::span<const LayerLight> light, Workers& workers, float gain,
               const Finish& finish);
+  std::span<const LayerLight> blurred(std::span<const LayerLight> light, Workers& workers);
   void draw_tile(std::span<const LayerLight> light, Scratch& s, int x, int top, float gain,
                  const Finish& finish) const;
   void spread_row(std::span<const LayerLight> light, Scratch& s, int y) const;
@@ -116,6 +121,7 @@ struct Screen::State {
   std::shared_ptr<const ShadowMask> mask;
   Halation halation;
   std::vector<Scratch> scratch;
+  std::vector<LayerLight> blurred_light;
 };
 
 Screen::State::State(const TubeSettings& s, std::span<const ScreenLayer> its_layers, int w, int h,
@@ -231,6 +237,11 @@ void spread_alike(const CurvedRaster& raster, std::span<const Screen::Spread> li
 void Screen::State::spread_tile(const Raster& of_gun, std::span<const Spread> lights, Scratch& s,
                                 int x, int top) const {
   const int n = std::min(tile_columns, width - x), groups = (n + kGroup - 1) / kGroup;
+  int lit_begin = Spread::kEveryLine, lit_end = 0;
+  for (const Spread& light : lights) {
+    lit_begin = std::min(lit_begin, light.lit_begin);
+    lit_end = std::max(lit_end, light.lit_end);
+  }
   std::visit(
       [&](const auto& raster) {
         for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -238,6 +249,7 @@ void Screen::State::spread_tile(const Raster& of_gun, std::span<const Spread> li
           raster.begin_tile(s.ring[i], x, groups);
         }
         for (int y = top; y < std::min(height, top + kTileRows); ++y) {
+          if (!raster.sees_lines(s.ring[0], y, lit_begin, lit_end)) continue;
           spread_alike(raster, lights, y, s);
           const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width + x;
           for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -254,18 +266,45 @@ void Screen::State::spread_tile(const Raster& of_gun, std::span<const Spread> li
       of_gun);
 }
 
-void Screen::State::spread(const Raster& raster, std::span<const Spread> lights,
+void Screen::State::spread(const Raster& raster, std::span<const Spread> any_lights,
                            Workers& workers) const {
+  std::vector<Spread> lights(any_lights.begin(), any_lights.end());
+  std::vector<LayerLight> blurred;
+  const auto* curved = std::get_if<CurvedRaster>(&raster);
+  if (curved && !curved->blur().empty()) {
+    const int cells = settings.mode.horizontal.active, lines = lines_of(settings);
+    blurred.resize(lights.size());
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      curved->blur().blur(*lights[i].light, cells, lines, blurred[i], workers);
+      lights[i].light = &blurred[i];
+      lights[i].lit_begin = 0;
+      lights[i].lit_end = Spread::kEveryLine;
+    }
+  }
   std::vector<Scratch> its_scratch(static_cast<std::size_t>(workers.count()));
   const int across = (width + tile_columns - 1) / tile_columns;
   const int down = (height + kTileRows - 1) / kTileRows;
   workers.run(across * down, [&](int task, int worker) {
     Scratch& s = its_scratch[static_cast<std::size_t>(worker)];
     for (std::size_t i = 0; i < lights.size(); i += kMostLayers) {
-      spread_tile(raster, lights.subspan(i, std::min<std::size_t>(kMostLayers, lights.size() - i)),
-                  s, task % across * tile_columns, task / across * kTileRows);
+      const std::size_t count = std::min<std::size_t>(kMostLayers, lights.size() - i);
+      spread_tile(raster, std::span<const Spread>(lights).subspan(i, count), s,
+                  task % across * tile_columns, task / across * kTileRows);
     }
   });
+}
+
+/// Of a spot wider than taps reach, what they are to spread.
+std::span<const LayerLight> Screen::State::blurred(std::span<const LayerLight> light,
+                                                   Workers& workers) {
+  const auto* curved = std::get_if<CurvedRaster>(&rasters->of_gun.front());
+  if (light.empty() || !curved || curved->blur().empty()) return light;
+  const int cells = settings.mode.horizontal.active, lines = lines_of(settings);
+  blurred_light.resize(light.size());
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    curved->blur().blur(light[i], cells, lines, blurred_light[i], workers);
+  }
+  return blurred_light;
 }
 
 double Screen::State::draw(std::span<const LayerLight> light, Workers& workers, float gain,
@@ -274,10 +313,11 @@ double Screen::State::draw(std::span<const LayerLight> light, Workers& workers, 
   const auto began = std::chrono::steady_clock::now();
   halation.gather(light, overlay, mask->one(), workers);
   const std::chrono::duration<double, std::milli> glow = std::chrono::steady_clock::now() - began;
+  const std::span<const LayerLight> spread = blurred(light, workers);
   const int across = (width + tile_columns - 1) / tile_columns;
   const int down = (height + kTileRows - 1) / kTileRows;
   workers.run(across * down, [&](int task, int worker) {
-    draw_tile(light, scratch[static_cast<std::size_t>(worker)], task % across * tile_columns,
+    draw_tile(spread, scratch[static_cast<std::size_t>(worker)], task % across * tile_columns,
               task / across * kTileRows, gain, finish);
   });
   return glow.count();

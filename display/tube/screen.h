@@ -57,6 +57,8 @@ class Screen {
       float scale = 1;
     };
     std::array<Share, 2> to{};
+    int lit_begin = 0, lit_end = kEveryLine;  ///< lines outside are dark
+    static constexpr int kEveryLine = 1 << 30;
   };
   /// Lays such light down as light that lies over the raster; together costs less than one by one.
   void spread(const GunRasters& rasters, std::size_t layer, std::span<const Spread> lights,

@@ -13,8 +13,8 @@ constexpr double kWideCurrent = 1;
 
 }  // namespace
 
-SpotModel::SpotModel(const SpotSettings& settings, double widest) : settings_(settings) {
-  sigma_mm_ = {sigma_mm(kNarrowCurrent), widest * sigma_mm(kWideCurrent)};
+SpotModel::SpotModel(const SpotSettings& settings) : settings_(settings) {
+  sigma_mm_ = {sigma_mm(kNarrowCurrent), sigma_mm(kWideCurrent)};
 }
 
 double SpotModel::sigma_mm(double current) const {
@@ -32,20 +32,8 @@ double SpotModel::wide_part(double current) const {
   return current * share;
 }
 
-/// Shares are linear in 1 / sigma^2, so all currents widen alike.
-SpotModel::Widened SpotModel::widened(double times) const {
-  const double narrow = 1 / (sigma_mm_[0] * sigma_mm_[0]), wide = 1 / (sigma_mm_[1] * sigma_mm_[1]);
-  if (!(narrow > wide * (1 + 1e-9))) return {};
-  const double kept = 1 / (times * times);
-  return {kept, (1 - kept) * narrow / (narrow - wide)};
-}
-
 double spot_at_voltage(const SpotSettings& settings, double voltage) {
   return std::pow(voltage, -settings.sag_power);
-}
-
-SpotModel spot_of(const TubeSettings& settings) {
-  return SpotModel(settings.spot, spot_at_voltage(settings.spot, 1 - settings.sweep.sag));
 }
 
 }  // namespace kinescope

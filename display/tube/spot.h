@@ -11,8 +11,7 @@ namespace kinescope {
 
 class SpotModel {
  public:
-  /// @param widest how many times wider than a steady high voltage makes it the spot may become
-  explicit SpotModel(const SpotSettings& settings, double widest = 1);
+  explicit SpotModel(const SpotSettings& settings);
 
   /// Standard deviation of the spot down the screen at a current, white's being 1, mm.
   double sigma_mm(double current) const;
@@ -23,20 +22,14 @@ class SpotModel {
   double astigmatism() const { return settings_.astigmatism; }
   /// The part of a current that the wide Gaussian draws; the narrow one draws the rest.
   double wide_part(double current) const;
-  /// The same once the spot is that many times wider: `wide` times kept plus `all` times moved.
-  struct Widened {
-    double kept = 1, moved = 0;
-  };
-  Widened widened(double times) const;
 
  private:
   SpotSettings settings_;
   std::array<double, 2> sigma_mm_{};
 };
 
-/// How many times wider the spot is at a share of the high voltage.
+/// How many times wider the spot is at a share of the high voltage, whatever its current: both
+/// Gaussians widen alike.
 double spot_at_voltage(const SpotSettings& settings, double voltage);
-/// A tube's spot, whose wide Gaussian draws it at the lowest voltage to which steady white sags.
-SpotModel spot_of(const TubeSettings& settings);
 
 }  // namespace kinescope

@@ -77,5 +77,22 @@ TEST(LightPenDemo, AnUncorrectedLagDrawsBesideThePen) {
   EXPECT_GT(lagging, corrected + 2);
 }
 
+TEST(LightPenDemo, OnARollingPictureInkTrailsFromThePen) {
+  Player player(find_demo("light-pen-raster"), small_setup(kWidth, kHeight), 0);
+  const Seconds refresh = player.demo().refresh().period();
+  std::vector<InputEvent> first(5, key_down("0"));  // the hold is off by half a hertz
+  first.push_back(key_down("g"));
+  first.push_back(mouse_event(InputKind::kMouseDown, 300, 240, MouseButton::kLeft));
+  player.forward(refresh, std::move(first));
+  for (int i = 0; i < 24; ++i) player.forward(refresh);
+  // Taken away, so that neither it nor its mark lies there.
+  player.forward(refresh, {mouse_event(InputKind::kMouseUp, 5, 5, MouseButton::kLeft)});
+  player.forward(refresh);
+  // The pen was held still: what it has drawn rolls on, a line of the picture's 525 * 0.5 a second.
+  const Ink ink = ink_about(player.picture(), 300, 240, 300, 240 + 525 * 25 / 120);
+  EXPECT_GT(ink.pixels, 200);
+  EXPECT_LT(ink.farthest, 8);
+}
+
 }  // namespace
 }  // namespace kinescope

@@ -13,15 +13,25 @@ namespace {
 
 TEST(RetraceLight, RepeatedExcitationGivesOneAPeriodAndAddsUp) {
   for (const double tau : {0.01, 3.0, 500.0}) {
-    EXPECT_NEAR(light_of_repeated(0.3, 10, 10, tau), 1, 1e-12);
-    const double whole = light_of_repeated(2, 7, 10, tau);
-    EXPECT_NEAR(light_of_repeated(2, 3, 10, tau) + light_of_repeated(5, 4, 10, tau), whole, 1e-12);
-    // Many periods of single pulses, summed.
-    double sum = 0;
-    for (int n = 0; n < 4000; ++n) {
-      sum += std::exp(-(4 + 10.0 * n) / tau) - std::exp(-(6 + 10.0 * n) / tau);
+    for (const double dwell : {0.01, 3.0}) {
+      EXPECT_NEAR(light_of_repeated(0.3, 10, 10, dwell, tau), 1, 1e-12);
+      const double whole = light_of_repeated(1, 9.5, 10, dwell, tau);
+      EXPECT_NEAR(
+          light_of_repeated(1, 4, 10, dwell, tau) + light_of_repeated(5, 5.5, 10, dwell, tau),
+          whole, 1e-12);
     }
-    EXPECT_NEAR(light_of_repeated(4, 2, 10, tau), sum, 1e-9);
+    // Many periods of many flashes, summed.
+    constexpr int kFlashes = 200;
+    double sum = 0;
+    for (int i = 0; i < kFlashes; ++i) {
+      const double flash = 3 * (i + 0.5) / kFlashes;
+      if (flash < 2) sum += 1 - std::exp(-(2 - flash) / tau);
+      for (int n = 1; n < 4000; ++n) {
+        sum += std::exp(-(1 - flash + 10.0 * n) / tau) - std::exp(-(2 - flash + 10.0 * n) / tau);
+      }
+      if (flash < 1) sum -= 1 - std::exp(-(1 - flash) / tau);
+    }
+    EXPECT_NEAR(light_of_repeated(1, 1, 10, 3, tau), sum / kFlashes, 1e-3);
   }
 }
 

@@ -155,6 +155,19 @@ TEST(Screen, CurvedRasterAgreesWithSteps) {
   EXPECT_LT(largest_difference(settings), 0.03);
 }
 
+TEST(Screen, ACurvedRasterOutOfFocusAgreesWithSteps) {
+  for (const double focus : {1.7, 2.2, 4.0}) {  // a half to more than a line wide
+    TubeSettings settings = small_tube();
+    settings.spot.focus = focus;
+    settings.deflection.rotation_deg = 1e-6;  // as good as straight
+    EXPECT_LT(largest_difference(settings), 0.01) << focus;
+    settings.deflection.pincushion_x = 0.03;
+    settings.deflection.pincushion_y = 0.02;
+    settings.deflection.convergence[0].edge_x_mm = 0.1;
+    EXPECT_LT(largest_difference(settings), 0.01) << focus;
+  }
+}
+
 TEST(Screen, PhotographsAreTheEncodedLight) {
   TubeSettings settings = small_tube();
   settings.glass.halation = 0.1;

@@ -47,29 +47,10 @@ TEST(Spot, TwoGaussiansDrawEverySpotWithinAHundredthOfWhite) {
   }
 }
 
-TEST(Spot, AVoltageThatSagsWidensItWithinAFewHundredthsOfWhite) {
-  for (const double sag : {0.05, 0.1, 0.2}) {
-    TubeSettings tube;
-    tube.sweep.sag = sag;
-    const SpotModel spot = spot_of(tube);
-    const double white = gaussian(0, spot.sigma_mm(1));
-    for (const double load : {0.0, 0.5, 1.0}) {
-      const double times = spot_at_voltage(tube.spot, 1 - sag * load);
-      EXPECT_DOUBLE_EQ(times * times, 1 / (1 - sag * load));  // its area as 1 / U
-      const SpotModel::Widened widened = spot.widened(times);
-      double largest = 0;
-      for (double current = 0; current <= 1; current += 0.01) {
-        const double sigma = times * spot.sigma_mm(current);
-        const double wide = widened.kept * spot.wide_part(current) + widened.moved * current;
-        ASSERT_LE(wide, current * (1 + 1e-12));
-        for (double r = 0; r < 4 * sigma; r += 0.02 * sigma) {
-          const double got =
-              (current - wide) * gaussian(r, spot.narrow_mm()) + wide * gaussian(r, spot.wide_mm());
-          largest = std::max(largest, std::abs(got - current * gaussian(r, sigma)) / white);
-        }
-      }
-      EXPECT_LT(largest, 0.006 + 0.1 * sag) << sag << " " << load;
-    }
+TEST(Spot, AtALowerVoltageItsAreaGrowsAsMuch) {
+  for (const double voltage : {1.0, 0.9, 0.7}) {
+    const double times = spot_at_voltage(SpotSettings{}, voltage);
+    EXPECT_DOUBLE_EQ(times * times, 1 / voltage);
   }
 }
 

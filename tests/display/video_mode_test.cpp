@@ -233,5 +233,14 @@ TEST(ParseMode, RefusesBrokenModelines) {
   EXPECT_THAT(refusal("\"m\" 13.5 640 656 752 800 480 490 492 524 interlace"), HasSubstr("odd"));
 }
 
+TEST(VideoMode, HasTwoNamesForBroadcastsModes) {
+  for (const auto& [name, other] : {std::pair{"480i", "ntsc"}, std::pair{"576i", "pal"}}) {
+    VideoMode mode = parse_mode(name);
+    EXPECT_EQ(mode.name, name);
+    mode.name = other;
+    EXPECT_EQ(mode, parse_mode(other));
+  }
+}
+
 }  // namespace
 }  // namespace kinescope
