@@ -73,20 +73,35 @@ struct Rows {
   HWY_INLINE int end() const { return static_cast<int>(std::max(last, 0.0f)); }
 };
 
-/// Where a tile's planes are, and what a stroke is worth on each.
+/// The planes that a mark leaves light on, and how much.
+struct LitPlanes {
+  std::size_t count = 0;
+  std::array<int, kMostBeamPlanes> offset;
+  std::array<float, kMostBeamPlanes> weight;
+
+  HWY_INLINE LitPlanes(const BeamTile& tile, const float* weights) {
+    for (int p = 0; p < tile.planes; ++p) {
+      offset[count] = p * kBeamTilePlane;
+      weight[count] = weights[p];
+      count += weights[p] != 0;
+    }
+  }
+};
+
+/// Where a mark's light goes.
 struct Target {
   BeamTile tile;
-  const float* weights;
-  Floats first_weight = set(weights[0]);
+  const LitPlanes& planes;
+  std::size_t count = planes.count;
+  float* first = tile.light + planes.offset[0];
+  Floats first_weight = set(planes.weight[0]);
 
   HWY_INLINE void add(int at, Floats share) const {
-    float* light = tile.light + at;
-    if (tile.planes == 1) {
-      hn::StoreU(hn::MulAdd(first_weight, share, hn::LoadU(d, light)), d, light);
-      return;
-    }
-    for (int p = 0; p < tile.planes; ++p, light += kBeamTilePlane) {
-      hn::StoreU(hn::MulAdd(set(weights[p]), share, hn::LoadU(d, light)), d, light);
+    float* const light = first + at;
+    hn::StoreU(hn::MulAdd(first_weight, share, hn::LoadU(d, light)), d, light);
+    for (std::size_t i = 1; i < count; ++i) {
+      float* const other = tile.light + planes.offset[i] + at;
+      hn::StoreU(hn::MulAdd(set(planes.weight[i]), share, hn::LoadU(d, other)), d, other);
     }
   }
 };
@@ -214,47 +229,97 @@ struct Reached {
 constexpr std::size_t kAxis = kBeamTile + 16;
 using Axis = std::array<float, kAxis>;
 
-/// shares[i]: of a spot, on pixel begin + i of an axis.
-HWY_INLINE void axis_shares(const Reached& range, float middle, float sigma, float scale,
-                            Axis& shares) {
-  const Floats per_pixel = set(1 / sigma);
-  const int count = range.count();
-  for (int i = 0; i < count; i += lanes()) {
-    const Floats at = hn::Add(lane_numbers(d), set(static_cast<float>(range.begin + i) - middle));
-    const Floats z = hn::Mul(at, per_pixel);
-    const Floats below = normal_below(z), next = normal_below(hn::Add(z, per_pixel));
-    const auto inside = hn::Lt(lane_numbers(d), set(static_cast<float>(count - i)));
-    hn::StoreU(hn::IfThenElseZero(inside, hn::Mul(hn::Sub(next, below), set(scale))), d,
-               shares.data() + i);
+/// edges[i]: a spot's share below the lower edge of pixel begin + i of an axis, less a half.
+HWY_INLINE void axis_edges(const Reached& range, float middle, float sigma, Axis& edges) {
+  const float scale = 1 / sigma;
+  const Floats per_pixel = set(scale);
+  const float start = (static_cast<float>(range.begin) - middle) * scale;
+  for (int i = 0; i <= range.count(); i += lanes()) {
+    const Floats z = hn::MulAdd(lane_numbers(d), per_pixel, set(start));
+    const Floats shift = set(static_cast<float>(i) * scale);
+    hn::StoreU(normal_below(hn::Add(z, shift)), d, edges.data() + i);
+  }
+}
+
+/// Of the pixels from `i` on.
+HWY_INLINE Floats shares_between(const Axis& edges, int i) {
+  return hn::Sub(hn::LoadU(d, edges.data() + i + 1), hn::LoadU(d, edges.data() + i));
+}
+
+/// Some spots of a tile by their shares of rows and columns: edges of columns, shares of rows.
+template <int kCount>
+HWY_INLINE void draw_products(const std::array<Axis, BeamSpots::kMost>& columns,
+                              const std::array<Axis, BeamSpots::kMost>& rows, const Reached& across,
+                              const Reached& down, const Target& target) {
+  for (int x = 0; x < across.count(); x += lanes()) {
+    const auto inside = hn::Lt(lane_numbers(d), set(static_cast<float>(across.count() - x)));
+    const auto column = [&](std::size_t k) {
+      return hn::IfThenElseZero(inside, shares_between(columns[k], x));
+    };
+    const Target to = target;
+    const Floats zero = hn::Zero(d);
+    const Floats a = column(0), b = kCount > 1 ? column(1) : zero;
+    const Floats c = kCount > 2 ? column(2) : zero, e = kCount > 3 ? column(3) : zero;
+    int place = down.begin * kBeamTile + across.begin + x;
+    for (std::size_t y = 0; y < static_cast<std::size_t>(down.count()); ++y) {
+      Floats sum = hn::Mul(a, set(rows[0][y]));
+      if (kCount > 1) sum = hn::MulAdd(b, set(rows[1][y]), sum);
+      if (kCount > 2) sum = hn::MulAdd(c, set(rows[2][y]), sum);
+      if (kCount > 3) sum = hn::MulAdd(e, set(rows[3][y]), sum);
+      to.add(place, sum);
+      place += kBeamTile;
+    }
+  }
+}
+
+/// A few spots, their places in the tile.
+HWY_INLINE void draw_spots(const BeamSpots& spots, const Target& target) {
+  const auto count = static_cast<std::size_t>(spots.count);
+  float left = spots.x[0], right = left, top = spots.y[0], bottom = top, sigma = spots.sigma[0];
+  for (std::size_t k = 1; k < count; ++k) {
+    left = std::min(left, spots.x[k]), right = std::max(right, spots.x[k]);
+    top = std::min(top, spots.y[k]), bottom = std::max(bottom, spots.y[k]);
+    sigma = std::max(sigma, spots.sigma[k]);
+  }
+  const float reach = kSpotReach * std::max(sigma, kLeastSigma);
+  const Reached across(left, right, reach), down(top, bottom, reach);
+  if (across.count() <= 0 || down.count() <= 0) return;
+  std::array<Axis, BeamSpots::kMost> columns, rows;
+  for (std::size_t k = 0; k < count; ++k) {
+    const float width = std::max(spots.sigma[k], kLeastSigma);
+    axis_edges(across, spots.x[k], width, columns[k]);
+    axis_edges(down, spots.y[k], width, rows[k]);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const Floats share = set(spots.share[k]);
+    for (int y = 0; y < down.count(); y += lanes()) {
+      hn::StoreU(hn::Mul(share, shares_between(rows[k], y)), d, rows[k].data() + y);
+    }
+  }
+  switch (count) {
+    case 1:
+      return draw_products<1>(columns, rows, across, down, target);
+    case 2:
+      return draw_products<2>(columns, rows, across, down, target);
+    case 3:
+      return draw_products<3>(columns, rows, across, down, target);
+    default:
+      return draw_products<4>(columns, rows, across, down, target);
   }
 }
 
 /// A part so short that a few spots add up to it. From (x0, y0) to (x1, y1) in the tile.
 HWY_INLINE void draw_part(float x0, float y0, float x1, float y1, float sigma, float scale,
                           const Target& target) {
-  const float reach = kSpotReach * sigma;
-  const Reached across(std::min(x0, x1), std::max(x0, x1), reach);
-  const Reached down(std::min(y0, y1), std::max(y0, y1), reach);
-  if (across.count() <= 0 || down.count() <= 0) return;
   const auto& rule = stroke_law::quadrature_for(std::hypot(x1 - x0, y1 - y0) / sigma);
-  const auto nodes = static_cast<std::size_t>(rule.nodes);
-  std::array<Axis, 4> x_share, y_share;
-  for (std::size_t k = 0; k < nodes; ++k) {
+  BeamSpots spots;
+  spots.count = rule.nodes;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(rule.nodes); ++k) {
     const float t = 0.5f + 0.5f * rule.at[k];
-    axis_shares(across, x0 + t * (x1 - x0), sigma, 1, x_share[k]);
-    axis_shares(down, y0 + t * (y1 - y0), sigma, rule.weight[k] * scale, y_share[k]);
+    spots.x[k] = x0 + t * (x1 - x0), spots.y[k] = y0 + t * (y1 - y0);
+    spots.sigma[k] = sigma, spots.share[k] = rule.weight[k] * scale;
   }
-  for (int y = 0; y < down.count(); ++y) {
-    const int row = (down.begin + y) * kBeamTile + across.begin;
-    for (int x = 0; x < across.count(); x += lanes()) {
-      Floats sum = hn::Zero(d);
-      for (std::size_t k = 0; k < nodes; ++k) {
-        sum = hn::MulAdd(set(y_share[k][static_cast<std::size_t>(y)]),
-                         hn::LoadU(d, x_share[k].data() + x), sum);
-      }
-      target.add(row + x, sum);
-    }
-  }
+  draw_spots(spots, target);
 }
 
 /// The share of a stroke's way, [from, to], that lies within `low` and `high` on one axis.
@@ -289,27 +354,51 @@ HWY_INLINE void draw_parts(const BeamStroke& s, float length, const Target& targ
   }
 }
 
-/// Strokes lie anywhere in memory.
-HWY_INLINE void prefetch(std::span<const BeamStroke> strokes, const float* weights,
-                         std::span<const std::uint32_t> order, std::size_t i, int planes) {
-  constexpr std::size_t kAhead = 8;
-  if (i + kAhead >= order.size()) return;
-  const std::size_t next = order[i + kAhead];
-  hwy::Prefetch(&strokes[next]);
-  hwy::Prefetch(weights + next * static_cast<std::size_t>(planes));
+HWY_INLINE void draw_stroke(const BeamStroke& stroke, const Target& target) {
+  const float length = stroke_law::length_of(stroke);
+  if (stroke_law::has_closed_form(stroke.sigma, length)) {
+    draw_line(stroke, length, target);
+  } else {
+    draw_parts(stroke, length, target);
+  }
 }
 
-void DrawStrokes(std::span<const BeamStroke> strokes, const float* weights,
-                 std::span<const std::uint32_t> order, const BeamTile& tile) {
+HWY_INLINE void draw_spots_on(const BeamSpots& spots, const Target& target) {
+  BeamSpots here = spots;
+  for (float& x : here.x) x -= static_cast<float>(target.tile.x);
+  for (float& y : here.y) y -= static_cast<float>(target.tile.y);
+  draw_spots(here, target);
+}
+
+/// Marks lie anywhere in memory.
+HWY_INLINE void prefetch(const BeamMarks& marks, std::size_t number, std::size_t planes) {
+  if (number < marks.strokes.size()) {
+    hwy::Prefetch(&marks.strokes[number]);
+    hwy::Prefetch(&marks.stroke_weights[number * planes]);
+  } else {
+    const std::size_t i = number - marks.strokes.size();
+    hwy::Prefetch(&marks.spots[i]);
+    hwy::Prefetch(&marks.spots[i].share);
+    hwy::Prefetch(&marks.spot_weights[i * planes]);
+  }
+}
+
+void DrawMarks(const BeamMarks& marks, std::span<const std::uint32_t> order, const BeamTile& tile) {
+  constexpr std::size_t kAhead = 8;
+  const auto planes = static_cast<std::size_t>(tile.planes);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    prefetch(strokes, weights, order, i, tile.planes);
-    const BeamStroke& stroke = strokes[order[i]];
-    const Target target{tile, weights + order[i] * static_cast<std::size_t>(tile.planes)};
-    const float length = stroke_law::length_of(stroke);
-    if (stroke_law::has_closed_form(stroke.sigma, length)) {
-      draw_line(stroke, length, target);
+    if (i + kAhead < order.size()) prefetch(marks, order[i + kAhead], planes);
+    const std::size_t number = order[i], strokes = marks.strokes.size();
+    const bool is_stroke = number < strokes;
+    const float* const weights = is_stroke ? &marks.stroke_weights[number * planes]
+                                           : &marks.spot_weights[(number - strokes) * planes];
+    const LitPlanes lit(tile, weights);
+    if (lit.count == 0) continue;
+    const Target target{tile, lit};
+    if (is_stroke) {
+      draw_stroke(marks.strokes[number], target);
     } else {
-      draw_parts(stroke, length, target);
+      draw_spots_on(marks.spots[number - strokes], target);
     }
   }
 }
@@ -322,11 +411,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace kinescope {
 
-HWY_EXPORT(DrawStrokes);
+HWY_EXPORT(DrawMarks);
 
-void draw_strokes(std::span<const BeamStroke> strokes, const float* weights,
-                  std::span<const std::uint32_t> order, const BeamTile& tile) {
-  HWY_DYNAMIC_DISPATCH(DrawStrokes)(strokes, weights, order, tile);
+void draw_marks(const BeamMarks& marks, std::span<const std::uint32_t> order,
+                const BeamTile& tile) {
+  HWY_DYNAMIC_DISPATCH(DrawMarks)(marks, order, tile);
 }
 
 }  // namespace kinescope
