@@ -19,12 +19,17 @@ constexpr double kMostSag = 2e-3;
 constexpr double kMostCurrentChange = 2e-3;
 /// Even strokes shorter than so many deviations are dearer than spots.
 constexpr double kLeastEvenWay = 5;
-/// So far four spots make a piece, deviations (stroke_law.h).
+/// So far a few spots make a piece, deviations.
 constexpr double kSpotsWay = stroke_law::kPartLength;
-/// While the current changes by more than the first, or the second, share of the greater one, a
-/// piece lasts for so many time constants of it.
+/// While the current changes by more than the first, or the second, share of the full one, a piece
+/// lasts for so many time constants of it.
 constexpr double kCoarseChange = 0.05, kFineChange = 1e-3;
 constexpr double kCoarseTaus = 3, kFineTaus = 8;
+constexpr int kLeastSpots = 3;
+/// What a current still lacks, and no longer counts.
+constexpr float kNoChange = 1e-6f;
+/// Pieces shorter than they might be by so much share their steps.
+constexpr double kShortPiece = 0.8;
 /// Pieces of so many to the screen's width share one width of the spot.
 constexpr double kPiecesAcross = 32;
 /// Fainter beams grow no sharper.
@@ -57,15 +62,15 @@ BeamCutter::BeamCutter(const VectorMachine& m)
       tau_(current_tau(m)),
       settling_(deflection_law(m)) {}
 
-/// Times the spot's width at the full current in the middle of the screen.
-float BeamCutter::spread_at(const BeamSpan& span, double x, double y, float current) const {
-  double spread = static_cast<double>(span.spread);
-  if (growth_ > 0 && current != 1) spread *= std::pow(std::max(current, kLeastGrown), growth_);
-  if (edge_spread_ > 0) {
-    const double right = 2 * x / width_ - 1, up = (2 * y - height_) / width_;
-    spread *= 1 + edge_spread_ * (right * right + up * up);
-  }
-  return static_cast<float>(spread);
+double BeamCutter::grown(float current) const {
+  if (growth_ == 0 || current == 1) return 1;
+  return std::pow(static_cast<double>(std::max(current, kLeastGrown)), growth_);
+}
+
+double BeamCutter::spread_at(double x, double y) const {
+  if (edge_spread_ == 0) return 1;
+  const double right = 2 * x / width_ - 1, up = (2 * y - height_) / width_;
+  return 1 + edge_spread_ * (right * right + up * up);
 }
 
 BeamCutter::State BeamCutter::at(const BeamSpan& span, double t) const {
@@ -75,10 +80,13 @@ BeamCutter::State BeamCutter::at(const BeamSpan& span, double t) const {
 }
 
 BeamCutter::State BeamCutter::carried_on(const BeamSpan& span, const State& state, double by,
-                                         bool is_short) const {
-  const Settling::Step step = is_short ? settling_.short_step(by) : settling_.step(by);
-  return {state.t + by, settling_.after(state.x, step), settling_.after(state.y, step),
-          current_after(by, state.current, span.aim, tau_)};
+                                         const Settling::Step& step) const {
+  float current = state.current;
+  if (current != span.aim) {
+    current = current_after(by, current, span.aim, tau_);
+    if (std::abs(current - span.aim) < kNoChange) current = span.aim;
+  }
+  return {state.t + by, settling_.after(state.x, step), settling_.after(state.y, step), current};
 }
 
 float BeamCutter::mean_current(const BeamSpan& span, const State& from, const State& to) const {
@@ -87,47 +95,54 @@ float BeamCutter::mean_current(const BeamSpan& span, const State& from, const St
   return span.aim + (from.current - span.aim) * static_cast<float>(left);
 }
 
-/// How the next piece is to be cut.
-struct BeamCutter::Plan {
-  double length;  // seconds
-  int spots;      // 0: an even stroke
-  bool is_short;  // within Settling::short_time()
-};
+/// For how long a few spots stand for the beam: as far as it goes a few deviations, its transients'
+/// series holds, and its current changes smoothly.
+double BeamCutter::spots_length(const BeamSpan& span, const State& state, double sigma,
+                                double change) const {
+  const double way = kSpotsWay * sigma;
+  const double vx = span.x.speed + state.x.speed, vy = span.y.speed + state.y.speed;
+  const double speed = std::sqrt(vx * vx + vy * vy);
+  double length = std::min(settling_.short_time(), way / std::max(speed, 1e-30));
+  if (tau_ > 0 && change > kFineChange) {
+    length = std::min(length, tau_ * (change > kCoarseChange ? kCoarseTaus : kFineTaus));
+  }
+  // It may be faster in the end.
+  const double end_x = vx + settling_.acceleration(state.x) * length;
+  const double end_y = vy + settling_.acceleration(state.y) * length;
+  return std::min(length, way / std::max(1e-30, std::sqrt(end_x * end_x + end_y * end_y)));
+}
 
 BeamCutter::Plan BeamCutter::plan(const BeamSpan& span, const State& state, double left) const {
-  const double speed_x = span.x.speed + state.x.speed, speed_y = span.y.speed + state.y.speed;
-  const double speed = std::sqrt(speed_x * speed_x + speed_y * speed_y);
+  const double vx = span.x.speed + state.x.speed, vy = span.y.speed + state.y.speed;
+  const double speed = std::sqrt(vx * vx + vy * vy);
   const double turn_x = settling_.most_acceleration(state.x);
   const double turn_y = settling_.most_acceleration(state.y);
   const double turn = std::sqrt(turn_x * turn_x + turn_y * turn_y);
-  const float most = std::max(state.current, span.aim);
-  const auto change = static_cast<double>(std::abs(span.aim - state.current) / most);
-  const double sigma = sigma_ * static_cast<double>(spread_at(
-                                    span, span.x.at + span.x.speed * state.t + state.x.place,
-                                    span.y.at + span.y.speed * state.t + state.y.place, most));
+  const float full = std::max(span.current, span.aim);
+  const auto change = static_cast<double>(std::abs(span.aim - state.current) / full);
+  const double sigma = sigma_ * static_cast<double>(span.spread) * grown(full) *
+                       spread_at(span.x.at + span.x.speed * state.t + state.x.place,
+                                 span.y.at + span.y.speed * state.t + state.y.place);
   double even = turn > 0 ? std::sqrt(8 * kMostSag * sigma / turn) : kEver;
   if (tau_ > 0 && change > 0) even = std::min(even, kMostCurrentChange * tau_ / change);
   if (edge_spread_ > 0) even = std::min(even, width_ / kPiecesAcross / speed);
-  if (even >= left) return {left, 0, false};
-  if (even * speed >= kLeastEvenWay * sigma) return {even, 0, false};
-  // Later than now the speed is at most speed + turn t.
-  const double way = kSpotsWay * sigma;
-  double length = 2 * way / (speed + std::sqrt(speed * speed + 2 * turn * way));
-  if (turn > 0) length = std::min(length, settling_.short_time());
-  if (tau_ > 0 && change > kCoarseChange) {
-    length = std::min(length, kCoarseTaus * tau_);
-  } else if (tau_ > 0 && change > kFineChange) {
-    length = std::min(length, kFineTaus * tau_);
+  if (even >= left || even * speed >= kLeastEvenWay * sigma) {
+    return {std::min(even, left), 0, true, 0};
   }
-  if (length >= left) {
-    length = left;
-  } else if (2 * length > left) {
-    length = 0.5 * left;
+  const double length = std::min(left, spots_length(span, state, sigma, change));
+  const double faster = speed + 0.5 * turn * length;
+  return {length, std::min(faster * length / sigma, kSpotsWay), false,
+          change > kCoarseChange ? kLeastSpots : 1};
+}
+
+void BeamCutter::make_steps(double length, int spots, Steps& steps) const {
+  steps.length = length, steps.spots = spots;
+  const auto& rule = stroke_law::kQuadratures[static_cast<std::size_t>(spots - 1)];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(spots); ++i) {
+    const double share = 0.5 + 0.5 * static_cast<double>(rule.at[i]);
+    steps.node[i] = settling_.short_step(share * length);
   }
-  const auto deviations = static_cast<float>(length * (speed + 0.5 * turn * length) / sigma);
-  int spots = stroke_law::quadrature_for(deviations).nodes;
-  if (change > kCoarseChange) spots = std::max(spots, 3);
-  return {length, spots, turn == 0 || length <= settling_.short_time()};
+  steps.whole = settling_.short_step(length);
 }
 
 /// Of the real motion's mean place and way, and the current's tilt along it.
@@ -142,24 +157,27 @@ BeamPiece BeamCutter::even_piece(const BeamSpan& span, const State& from, const 
   const double shift = static_cast<double>(rise / (12 * piece.current));
   piece.x = {x + (shift - 0.5) * dx, x + (shift + 0.5) * dx};
   piece.y = {y + (shift - 0.5) * dy, y + (shift + 0.5) * dy};
-  piece.spread[0] = spread_at(span, x, y, piece.current);
+  piece.spread[0] = span.spread * static_cast<float>(grown(piece.current) * spread_at(x, y));
   return piece;
 }
 
 BeamPiece BeamCutter::spots_piece(const BeamSpan& span, const State& from, const State& to,
-                                  int spots) const {
-  BeamPiece piece{from.t, to.t, mean_current(span, from, to), spots};
-  const auto& rule = stroke_law::kQuadratures[static_cast<std::size_t>(spots - 1)];
-  const double time = to.t - from.t;
+                                  const Steps& steps) const {
+  BeamPiece piece{from.t, to.t, mean_current(span, from, to), steps.spots};
+  const auto& rule = stroke_law::kQuadratures[static_cast<std::size_t>(steps.spots - 1)];
+  const bool changes = from.current != span.aim;
+  const double width = static_cast<double>(span.spread) * (changes ? 1 : grown(span.aim));
   float sum = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(spots); ++i) {
-    const double by = (0.5 + 0.5 * static_cast<double>(rule.at[i])) * time;
-    const State node = carried_on(span, from, by, true);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(steps.spots); ++i) {
+    const double by = (0.5 + 0.5 * static_cast<double>(rule.at[i])) * (to.t - from.t);
+    const State node = carried_on(span, from, by, steps.node[i]);
     piece.x[i] = span.x.at + span.x.speed * node.t + node.x.place;
     piece.y[i] = span.y.at + span.y.speed * node.t + node.y.place;
-    piece.spread[i] = spread_at(span, piece.x[i], piece.y[i], node.current);
-    sum += piece.share[i] = rule.weight[i] * node.current;
+    piece.spread[i] = static_cast<float>(width * (changes ? grown(node.current) : 1) *
+                                         spread_at(piece.x[i], piece.y[i]));
+    sum += piece.share[i] = changes ? rule.weight[i] * node.current : rule.weight[i];
   }
+  if (!changes) return piece;
   for (float& share : piece.share) share /= sum;
   return piece;
 }
@@ -167,12 +185,30 @@ BeamPiece BeamCutter::spots_piece(const BeamSpan& span, const State& from, const
 void BeamCutter::cut(const BeamSpan& span, double from, double to,
                      std::vector<BeamPiece>& pieces) const {
   State state = at(span, from);
+  Steps steps;
+  const double sliver = 1e-6 * (to - from);
   while (state.t < to) {
-    const Plan next = plan(span, state, to - state.t);
-    State after = carried_on(span, state, next.length, next.is_short);
-    if (to - after.t < 1e-6 * (to - from)) after.t = to;
-    pieces.push_back(next.spots == 0 ? even_piece(span, state, after)
-                                     : spots_piece(span, state, after, next.spots));
+    const double left = to - state.t;
+    const Plan next = plan(span, state, left);
+    if (next.even) {
+      State after = carried_on(span, state, next.length, settling_.step(next.length));
+      if (to - after.t < sliver) after.t = to;
+      pieces.push_back(even_piece(span, state, after));
+      state = after;
+      continue;
+    }
+    // As long as the last one if that may be, or a whole share of what is left.
+    const int spots =
+        std::max(next.least_spots, stroke_law::quadrature_for(static_cast<float>(next.way)).nodes);
+    const bool again = spots == steps.spots && steps.length <= next.length + sliver &&
+                       steps.length >= kShortPiece * next.length && left >= 2 * steps.length;
+    const double length = again ? steps.length : left / std::ceil(left / next.length - 1e-6);
+    if (spots != steps.spots || std::abs(length - steps.length) > sliver) {
+      make_steps(length, spots, steps);
+    }
+    State after = carried_on(span, state, length, steps.whole);
+    if (to - after.t < sliver) after.t = to;
+    pieces.push_back(spots_piece(span, state, after, steps));
     state = after;
   }
 }

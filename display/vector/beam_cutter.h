@@ -2,6 +2,7 @@
 // Gauss's and Legendre's rule in time.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "display/vector/beam_span.h"
@@ -30,14 +31,34 @@ class BeamCutter {
     Transient x, y;
     float current;
   };
-  struct Plan;
+  /// How the next piece is to be cut.
+  struct Plan {
+    double length;  // seconds
+    double way;     // deviations
+    bool even;      // a stroke, else spots
+    int least_spots;
+  };
+  /// What carries transients on within pieces of one length.
+  struct Steps {
+    double length = -1;
+    int spots = 0;
+    Settling::Step whole;
+    std::array<Settling::Step, BeamSpots::kMost> node;
+  };
+
   State at(const BeamSpan& span, double t) const;
-  State carried_on(const BeamSpan& span, const State& state, double by, bool is_short) const;
+  State carried_on(const BeamSpan& span, const State& state, double by,
+                   const Settling::Step& step) const;
   Plan plan(const BeamSpan& span, const State& state, double left) const;
+  double spots_length(const BeamSpan& span, const State& state, double sigma, double change) const;
+  void make_steps(double length, int spots, Steps& steps) const;
   BeamPiece even_piece(const BeamSpan& span, const State& from, const State& to) const;
-  BeamPiece spots_piece(const BeamSpan& span, const State& from, const State& to, int spots) const;
+  BeamPiece spots_piece(const BeamSpan& span, const State& from, const State& to,
+                        const Steps& steps) const;
   float mean_current(const BeamSpan& span, const State& from, const State& to) const;
-  float spread_at(const BeamSpan& span, double x, double y, float current) const;
+  /// Times the spot's usual width: by the current, and by the place.
+  double grown(float current) const;
+  double spread_at(double x, double y) const;
 
   double width_, height_, sigma_;  // device units
   double growth_, edge_spread_, tau_;

@@ -16,7 +16,7 @@ struct BeamStroke {
 /// Spots at rest, pixels, whose sum stands for the light of a beam that speeds up, bends or changes
 /// its current: Gauss's rule over a time in which it goes a way of a few deviations.
 struct BeamSpots {
-  static constexpr int kMost = 4;
+  static constexpr int kMost = 6;
   int count = 0;
   std::array<float, kMost> x{}, y{}, sigma{}, share{};
 };

@@ -51,6 +51,9 @@ class Settling {
   /// No farther from 0 at any later time, and no more of an acceleration.
   double most_place(const Transient& y) const;
   double most_acceleration(const Transient& y) const { return most_acceleration_ * most_place(y); }
+  double acceleration(const Transient& y) const {
+    return -2 * decay_ * y.speed - w_ * w_ * y.place;
+  }
   /// Behind its command, of an even motion of one unit a second.
   double lag() const { return lag_; }
   bool at_once() const { return w_ == 0; }
@@ -58,7 +61,7 @@ class Settling {
  private:
   static constexpr std::size_t kTerms = 12;
   double w_ = 0, decay_ = 0;  // 1/s
-  double lag_ = 0, short_time_ = 0, most_acceleration_ = 0;
+  double lag_ = 0, short_time_ = 1e30, most_acceleration_ = 0;
   std::array<double, kTerms> series_{};  // of the answer times w, in powers of w t
 };
 

@@ -260,12 +260,15 @@ HWY_INLINE void draw_products(const std::array<Axis, BeamSpots::kMost>& columns,
     const Floats zero = hn::Zero(d);
     const Floats a = column(0), b = kCount > 1 ? column(1) : zero;
     const Floats c = kCount > 2 ? column(2) : zero, e = kCount > 3 ? column(3) : zero;
+    const Floats f = kCount > 4 ? column(4) : zero, g = kCount > 5 ? column(5) : zero;
     int place = down.begin * kBeamTile + across.begin + x;
     for (std::size_t y = 0; y < static_cast<std::size_t>(down.count()); ++y) {
       Floats sum = hn::Mul(a, set(rows[0][y]));
       if (kCount > 1) sum = hn::MulAdd(b, set(rows[1][y]), sum);
       if (kCount > 2) sum = hn::MulAdd(c, set(rows[2][y]), sum);
       if (kCount > 3) sum = hn::MulAdd(e, set(rows[3][y]), sum);
+      if (kCount > 4) sum = hn::MulAdd(f, set(rows[4][y]), sum);
+      if (kCount > 5) sum = hn::MulAdd(g, set(rows[5][y]), sum);
       to.add(place, sum);
       place += kBeamTile;
     }
@@ -303,8 +306,12 @@ HWY_INLINE void draw_spots(const BeamSpots& spots, const Target& target) {
       return draw_products<2>(columns, rows, across, down, target);
     case 3:
       return draw_products<3>(columns, rows, across, down, target);
-    default:
+    case 4:
       return draw_products<4>(columns, rows, across, down, target);
+    case 5:
+      return draw_products<5>(columns, rows, across, down, target);
+    default:
+      return draw_products<6>(columns, rows, across, down, target);
   }
 }
 
