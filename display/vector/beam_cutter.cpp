@@ -24,7 +24,7 @@ constexpr double kSpotsWay = stroke_law::kPartLength;
 /// While the current changes by more than the first, or the second, share of the full one, a piece
 /// lasts for so many time constants of it.
 constexpr double kCoarseChange = 0.05, kFineChange = 1e-3;
-constexpr double kCoarseTaus = 3, kFineTaus = 8;
+constexpr double kCoarseTaus = 3, kFineTaus = 16;
 constexpr int kLeastSpots = 3;
 /// What a current still lacks, and no longer counts.
 constexpr float kNoChange = 1e-6f;

@@ -82,24 +82,22 @@ Reach reach_of_stroke(const BeamStroke& s) {
 }
 
 Reach reach_of_spots(const BeamSpots& s) {
-  Reach box{1e30f, 1e30f, -1e30f, -1e30f};
-  bool finite = true;
+  float left = s.x[0], right = left, top = s.y[0], bottom = top, sigma = kLeastSigma, sum = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i) {
-    const float reach = kSpotReach * std::max(s.sigma[i], kLeastSigma);
-    box.left = std::min(box.left, s.x[i] - reach), box.right = std::max(box.right, s.x[i] + reach);
-    box.top = std::min(box.top, s.y[i] - reach), box.bottom = std::max(box.bottom, s.y[i] + reach);
-    finite &= std::isfinite(s.x[i] + s.y[i] + reach);
+    left = std::min(left, s.x[i]), right = std::max(right, s.x[i]);
+    top = std::min(top, s.y[i]), bottom = std::max(bottom, s.y[i]);
+    sigma = std::max(sigma, s.sigma[i]);
+    sum += s.x[i] + s.y[i] + s.sigma[i];
   }
-  return finite ? box : Reach{0, 0, -1e30f, -1e30f};
+  const float reach = kSpotReach * sigma;
+  return std::isfinite(sum) ? Reach{left - reach, top - reach, right + reach, bottom + reach}
+                            : Reach{0, 0, -1e30f, -1e30f};
 }
 
-std::uint16_t begin_tile(float v, int count) {
-  return static_cast<std::uint16_t>(
-      std::clamp(std::floor(v / kBeamTile), 0.0f, static_cast<float>(count)));
-}
-std::uint16_t end_tile(float v, int count) {
-  return static_cast<std::uint16_t>(
-      std::clamp(std::floor(v / kBeamTile) + 1, 0.0f, static_cast<float>(count)));
+/// The tile that holds a place, of -1 before the first to `count` behind the last.
+int tile_of(float v, int count) {
+  const float at = (v + kBeamTile) * (1.0f / kBeamTile);
+  return static_cast<int>(std::clamp(at, 0.0f, static_cast<float>(count + 1))) - 1;
 }
 
 }  // namespace
@@ -119,8 +117,12 @@ void BeamPainter::sort(BeamMarks& marks, const TiledLight& light, Chunk& chunk) 
     const Reach r = i < marks.strokes.size()
                         ? reach_of_stroke(marks.strokes[i])
                         : reach_of_spots(marks.spots[i - marks.strokes.size()]);
-    chunk.boxes[i] = {begin_tile(r.left, light.columns()), begin_tile(r.top, light.rows()),
-                      end_tile(r.right, light.columns()), end_tile(r.bottom, light.rows())};
+    chunk.boxes[i] = {
+        static_cast<std::uint16_t>(std::max(0, tile_of(r.left, light.columns()))),
+        static_cast<std::uint16_t>(std::max(0, tile_of(r.top, light.rows()))),
+        static_cast<std::uint16_t>(
+            std::min(tile_of(r.right, light.columns()) + 1, light.columns())),
+        static_cast<std::uint16_t>(std::min(tile_of(r.bottom, light.rows()) + 1, light.rows()))};
     for_tiles(chunk.boxes[i], [&](std::size_t tile) { ++chunk.starts[tile + 2]; });
   }
   for (std::size_t i = 1; i < chunk.starts.size(); ++i) chunk.starts[i] += chunk.starts[i - 1];

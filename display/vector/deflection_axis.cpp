@@ -29,7 +29,7 @@ Settling::Settling(const DeflectionLaw& law) {
   w_ = 2 * std::numbers::pi * law.natural_hz();
   decay_ = law.damping * w_;
   lag_ = law.lag().count();
-  short_time_ = 1 / (w_ * std::max(1.0, 2 * law.damping));
+  short_time_ = 2 / (w_ * std::max(1.0, 2 * law.damping));
   // The oscillation's energy only falls; y'' = -2 decay y' - w^2 y.
   most_acceleration_ = w_ * w_ * std::sqrt(1 + 4 * law.damping * law.damping);
   series_[1] = 1;

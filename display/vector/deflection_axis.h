@@ -39,7 +39,8 @@ class Settling {
 
   /// In closed form.
   Step step(double t) const;
-  /// By its Taylor series, to 1e-8, without exp or sin; up to short_time().
+  /// By its Taylor series, without exp or sin, to 1e-8: up to short_time(), a few times shorter
+  /// than an oscillation.
   Step short_step(double t) const;
   double short_time() const { return short_time_; }
   Transient after(const Transient& y, const Step& step) const {
@@ -59,7 +60,7 @@ class Settling {
   bool at_once() const { return w_ == 0; }
 
  private:
-  static constexpr std::size_t kTerms = 12;
+  static constexpr std::size_t kTerms = 16;
   double w_ = 0, decay_ = 0;  // 1/s
   double lag_ = 0, short_time_ = 1e30, most_acceleration_ = 0;
   std::array<double, kTerms> series_{};  // of the answer times w, in powers of w t

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "display/phosphor.h"
@@ -15,14 +16,28 @@ struct LightLayer {
   Phosphor phosphor;
   std::array<float, 3> colour;
   std::size_t gun;
-  int first_plane;
+  int first_plane = 0;
 };
 
-/// Adds a weight for each plane, of a dose spread evenly over [begin, end), in the exposure that
-/// ends at `until`, not before `end`.
-/// @param guns share of each; a layer takes that of its own
-void add_dose_weights(const std::vector<LightLayer>& layers, double dose,
-                      const std::array<float, 3>& guns, Seconds begin, Seconds end, Seconds until,
-                      std::vector<float>& weights);
+/// The law by which doses become light.
+class DoseLight {
+ public:
+  /// @param by_guns each layer has its own, else all have the first
+  DoseLight(const PhosphorType& type, bool by_guns);
+
+  const std::vector<LightLayer>& layers() const { return layers_; }
+  int planes() const { return planes_; }
+  Seconds slowest() const { return Seconds(slowest_); }
+  /// Adds a weight for each plane, of a dose spread evenly over [begin, end), in the exposure that
+  /// ends at `until`, not before `end`.
+  /// @param guns share of each; a layer takes that of its own
+  void add_weights(double dose, const std::array<float, 3>& guns, Seconds begin, Seconds end,
+                   Seconds until, std::vector<float>& weights) const;
+
+ private:
+  std::vector<LightLayer> layers_;
+  int planes_ = 0;
+  double slowest_ = 0;  // seconds
+};
 
 }  // namespace kinescope

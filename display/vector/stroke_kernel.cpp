@@ -229,9 +229,9 @@ struct Reached {
 constexpr std::size_t kAxis = kBeamTile + 16;
 using Axis = std::array<float, kAxis>;
 
-/// edges[i]: a spot's share below the lower edge of pixel begin + i of an axis, less a half.
-HWY_INLINE void axis_edges(const Reached& range, float middle, float sigma, Axis& edges) {
-  const float scale = 1 / sigma;
+/// @param scale deviations a pixel @param edges [i]: a spot's share below the lower edge of pixel
+/// begin + i of an axis, less a half.
+HWY_INLINE void axis_edges(const Reached& range, float middle, float scale, Axis& edges) {
   const Floats per_pixel = set(scale);
   const float start = (static_cast<float>(range.begin) - middle) * scale;
   for (int i = 0; i <= range.count(); i += lanes()) {
@@ -289,9 +289,9 @@ HWY_INLINE void draw_spots(const BeamSpots& spots, const Target& target) {
   if (across.count() <= 0 || down.count() <= 0) return;
   std::array<Axis, BeamSpots::kMost> columns, rows;
   for (std::size_t k = 0; k < count; ++k) {
-    const float width = std::max(spots.sigma[k], kLeastSigma);
-    axis_edges(across, spots.x[k], width, columns[k]);
-    axis_edges(down, spots.y[k], width, rows[k]);
+    const float scale = 1 / std::max(spots.sigma[k], kLeastSigma);
+    axis_edges(across, spots.x[k], scale, columns[k]);
+    axis_edges(down, spots.y[k], scale, rows[k]);
   }
   for (std::size_t k = 0; k < count; ++k) {
     const Floats share = set(spots.share[k]);

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "display/decay.h"
-#include "display/layer_colours.h"
 #include "display/vector/light_kernels.h"
 #include "display/vector/stroke_law.h"
 
@@ -29,17 +28,12 @@ constexpr float kUnseen = 1e-8f;
 }  // namespace
 
 VectorTube::VectorTube(const VectorMachine& machine, int width, int height)
-    : dynamics_(machine), cutter_(machine), picture_(width, height) {
-  const PhosphorType& type = find_phosphor(machine.phosphor);
-  const auto colours = layer_colours(type);
-  int planes = 0;
-  for (std::size_t i = 0; i < type.layers.size(); ++i) {
-    layers_.push_back(
-        {type.layers[i], colours[i], type.colour || machine.penetration ? i : 0, planes});
-    planes += 1 + static_cast<int>(type.layers[i].terms.size());
-  }
-  guns_ = type.colour || machine.penetration;
-  light_ = TiledLight(width, height, planes);
+    : guns_(machine.penetration || find_phosphor(machine.phosphor).colour),
+      dose_light_(find_phosphor(machine.phosphor), guns_),
+      dynamics_(machine),
+      cutter_(machine),
+      light_(width, height, dose_light_.planes()),
+      picture_(width, height) {
   scale_ = std::min(static_cast<double>(width) / machine.width,
                     static_cast<double>(height) / machine.height);
   left_ = 0.5 * (width - scale_ * machine.width);
@@ -66,7 +60,7 @@ void VectorTube::fade(Seconds length, Workers& workers) {
   workers.run(light_.tiles(), [&](int tile, int) {
     if (!light_.lit(tile)) return;
     bool any = false;
-    for (const LightLayer& layer : layers_) {
+    for (const LightLayer& layer : dose_light_.layers()) {
       float* const sum = light_.plane(tile, layer.first_plane);
       std::fill_n(sum, kBeamTilePlane, 0.0f);
       int plane = layer.first_plane;
@@ -111,7 +105,7 @@ void VectorTube::add_even(const BeamSpan& span, const BeamPiece& piece, Seconds 
     marks.strokes.push_back({x(from), y(from), x(to), y(to), sigma_px_ * piece.spread[0]});
     const Seconds begin = span.at + Seconds(piece.from + length * from);
     const Seconds end = span.at + Seconds(piece.from + length * to);
-    add_dose_weights(layers_, dose, guns_of(span), begin, end, until, marks.stroke_weights);
+    dose_light_.add_weights(dose, guns_of(span), begin, end, until, marks.stroke_weights);
   }
 }
 
@@ -132,15 +126,15 @@ void VectorTube::add_spots(const BeamSpan& span, const BeamPiece& piece, Seconds
     if (!fresh) continue;
     marks.spots.push_back(spots);
     const double to = from + length * static_cast<double>(rule.weight[i]);
-    add_dose_weights(layers_, dose * static_cast<double>(piece.share[i]), guns_of(span),
-                     span.at + Seconds(from), span.at + Seconds(std::min(to, piece.to)), until,
-                     marks.spot_weights);
+    dose_light_.add_weights(dose * static_cast<double>(piece.share[i]), guns_of(span),
+                            span.at + Seconds(from), span.at + Seconds(std::min(to, piece.to)),
+                            until, marks.spot_weights);
     spots.count = 0, from = to;
   }
   if (fresh) return;
   marks.spots.push_back(spots);
-  add_dose_weights(layers_, dose, guns_of(span), span.at + Seconds(piece.from),
-                   span.at + Seconds(piece.to), until, marks.spot_weights);
+  dose_light_.add_weights(dose, guns_of(span), span.at + Seconds(piece.from),
+                          span.at + Seconds(piece.to), until, marks.spot_weights);
 }
 
 /// What a span leaves between the last exposure's end and this one's.
@@ -167,7 +161,7 @@ void VectorTube::compose(Workers& workers) {
     for (int y = tile.y; y < bottom; ++y) {
       LinearRgb* const row = picture_.row(y);
       std::fill(row + tile.x, row + right, LinearRgb{});
-      for (const LightLayer& layer : layers_) {
+      for (const LightLayer& layer : dose_light_.layers()) {
         if (!light_.lit(number)) break;
         const float* light = light_.plane(number, layer.first_plane) + (y - tile.y) * kBeamTile;
         for (int x = tile.x; x < right; ++x, ++light) {
@@ -250,13 +244,7 @@ void VectorTube::add_cycle(Workers& workers) {
 /// Until of what the slowest term held before the list was shown, a ten-millionth is left.
 int VectorTube::exposures_to_balance(Seconds length) const {
   constexpr double kDecays = 16;
-  double slowest = 0;
-  for (const LightLayer& layer : layers_) {
-    for (const DecayTerm& term : layer.phosphor.terms) {
-      slowest = std::max(slowest, term.tau.count());
-    }
-  }
-  const double exposures = kDecays * slowest / std::max(length.count(), 1e-9);
+  const double exposures = kDecays * dose_light_.slowest() / std::max(length, Seconds(1e-9));
   return static_cast<int>(std::min(1e9, std::ceil(exposures)));
 }
 

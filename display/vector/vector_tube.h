@@ -58,8 +58,8 @@ class VectorTube {
   bool carries_since(Seconds time) const;
   int exposures_to_balance(Seconds length) const;
 
-  std::vector<LightLayer> layers_;
-  bool guns_ = false;             // a move's colour has a share for each layer
+  bool guns_;  // a move's colour has a share for each layer
+  DoseLight dose_light_;
   double scale_, left_, bottom_;  // pixels a device unit; where (0, 0) lies, pixels
   float sigma_px_;
   double gain_;  // light a second of full current
