@@ -25,15 +25,23 @@ constexpr double kSpotsWay = stroke_law::kPartLength;
 /// lasts for so many time constants of it.
 constexpr double kCoarseChange = 0.05, kFineChange = 1e-3;
 constexpr double kCoarseTaus = 3, kFineTaus = 16;
-constexpr int kLeastSpots = 3;
+/// Of how far the beam would come from the middle of an even way, deviations times eight: one spot
+/// shows less of it, two less than the other.
+constexpr double kBendsLittle = 5e-3, kBends = 0.3;
 /// What a current still lacks, and no longer counts.
 constexpr float kNoChange = 1e-6f;
-/// Pieces shorter than they might be by so much share their steps.
+/// A rise is drawn by its rule if the beam goes no farther in it, and a fade in a time constant.
+constexpr double kRiseWay = 2, kFadeWay = 0.6;
+/// Until a fade's last spot.
+constexpr double kFadeTaus = 9;
+/// Pieces shorter than they might be by so much share their rule.
 constexpr double kShortPiece = 0.8;
 /// Pieces of so many to the screen's width share one width of the spot.
 constexpr double kPiecesAcross = 32;
 /// Fainter beams grow no sharper.
 constexpr float kLeastGrown = 0.02f;
+
+double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
 double units_a_mm(const VectorMachine& m) { return m.width / m.screen_mm; }
 
@@ -60,7 +68,9 @@ BeamCutter::BeamCutter(const VectorMachine& m)
       growth_(m.spot_growth),
       edge_spread_(m.edge_spread),
       tau_(current_tau(m)),
-      settling_(deflection_law(m)) {}
+      settling_(deflection_law(m)),
+      rise_(rise_pulse()),
+      fade_(fade_pulse()) {}
 
 double BeamCutter::grown(float current) const {
   if (growth_ == 0 || current == 1) return 1;
@@ -95,54 +105,132 @@ float BeamCutter::mean_current(const BeamSpan& span, const State& from, const St
   return span.aim + (from.current - span.aim) * static_cast<float>(left);
 }
 
+BeamCutter::Full BeamCutter::full_of(const BeamSpan& span) const {
+  const float current = tau_ > 0 ? std::max(span.current, span.aim) : span.aim;
+  const double settled = grown(span.aim);
+  const double most = current == span.aim ? settled : grown(current);
+  return {current, sigma_ * static_cast<double>(span.spread) * most, settled};
+}
+
+/// What the current still lacks, of the full one.
+double BeamCutter::change(const BeamSpan& span, const State& state, const Full& full) const {
+  return static_cast<double>(std::abs(span.aim - state.current) / full.current);
+}
+
+/// A bound of the acceleration from now on.
+double BeamCutter::turn(const State& state) const {
+  return length_of(settling_.most_acceleration(state.x), settling_.most_acceleration(state.y));
+}
+
+/// For how long the beam is even from now on.
+double BeamCutter::even_length(const BeamSpan& span, const State& state, const Full& full) const {
+  const double turns = turn(state);
+  double even = turns > 0 ? std::sqrt(8 * kMostSag * full.sigma / turns) : kEver;
+  const double lacks = tau_ > 0 ? change(span, state, full) : 0;
+  if (lacks > 0) even = std::min(even, kMostCurrentChange * tau_ / lacks);
+  if (edge_spread_ > 0) {
+    const double speed = length_of(span.x.speed + state.x.speed, span.y.speed + state.y.speed);
+    even = std::min(even, width_ / kPiecesAcross / speed);
+  }
+  return even;
+}
+
+/// How far the beam goes: Simpson's rule over its speed, which follows from three derivatives.
+double BeamCutter::way(const BeamSpan& span, const State& state, double time) const {
+  const double ax = settling_.acceleration(state.x), ay = settling_.acceleration(state.y);
+  const double jx = settling_.acceleration({state.x.speed, ax});
+  const double jy = settling_.acceleration({state.y.speed, ay});
+  const double vx = span.x.speed + state.x.speed, vy = span.y.speed + state.y.speed;
+  const auto speed = [&](double t) {
+    return length_of(vx + t * (ax + 0.5 * t * jx), vy + t * (ay + 0.5 * t * jy));
+  };
+  return time / 6 * (speed(0) + 4 * speed(0.5 * time) + speed(time));
+}
+
 /// For how long a few spots stand for the beam: as far as it goes a few deviations, its transients'
 /// series holds, and its current changes smoothly.
-double BeamCutter::spots_length(const BeamSpan& span, const State& state, double sigma,
-                                double change) const {
-  const double way = kSpotsWay * sigma;
-  const double vx = span.x.speed + state.x.speed, vy = span.y.speed + state.y.speed;
-  const double speed = std::sqrt(vx * vx + vy * vy);
-  double length = std::min(settling_.short_time(), way / std::max(speed, 1e-30));
-  if (tau_ > 0 && change > kFineChange) {
-    length = std::min(length, tau_ * (change > kCoarseChange ? kCoarseTaus : kFineTaus));
+double BeamCutter::spots_length(const BeamSpan& span, const State& state, const Full& full,
+                                double longest) const {
+  const double most_way = kSpotsWay * full.sigma *
+                          spread_at(span.x.at + span.x.speed * state.t + state.x.place,
+                                    span.y.at + span.y.speed * state.t + state.y.place);
+  double length = std::min(longest, settling_.short_time());
+  const double lacks = tau_ > 0 ? change(span, state, full) : 0;
+  if (lacks > kFineChange) {
+    length = std::min(length, tau_ * (lacks > kCoarseChange ? kCoarseTaus : kFineTaus));
   }
-  // It may be faster in the end.
-  const double end_x = vx + settling_.acceleration(state.x) * length;
-  const double end_y = vy + settling_.acceleration(state.y) * length;
-  return std::min(length, way / std::max(1e-30, std::sqrt(end_x * end_x + end_y * end_y)));
+  for (int i = 0; i < 2; ++i) {
+    const double goes = way(span, state, length);
+    if (goes <= 1.02 * most_way) break;
+    length *= most_way / goes;
+  }
+  return length;
 }
 
-BeamCutter::Plan BeamCutter::plan(const BeamSpan& span, const State& state, double left) const {
-  const double vx = span.x.speed + state.x.speed, vy = span.y.speed + state.y.speed;
-  const double speed = std::sqrt(vx * vx + vy * vy);
-  const double turn_x = settling_.most_acceleration(state.x);
-  const double turn_y = settling_.most_acceleration(state.y);
-  const double turn = std::sqrt(turn_x * turn_x + turn_y * turn_y);
-  const float full = std::max(span.current, span.aim);
-  const auto change = static_cast<double>(std::abs(span.aim - state.current) / full);
-  const double sigma = sigma_ * static_cast<double>(span.spread) * grown(full) *
-                       spread_at(span.x.at + span.x.speed * state.t + state.x.place,
-                                 span.y.at + span.y.speed * state.t + state.y.place);
-  double even = turn > 0 ? std::sqrt(8 * kMostSag * sigma / turn) : kEver;
-  if (tau_ > 0 && change > 0) even = std::min(even, kMostCurrentChange * tau_ / change);
-  if (edge_spread_ > 0) even = std::min(even, width_ / kPiecesAcross / speed);
-  if (even >= left || even * speed >= kLeastEvenWay * sigma) {
-    return {std::min(even, left), 0, true, 0};
-  }
-  const double length = std::min(left, spots_length(span, state, sigma, change));
-  const double faster = speed + 0.5 * turn * length;
-  return {length, std::min(faster * length / sigma, kSpotsWay), false,
-          change > kCoarseChange ? kLeastSpots : 1};
+/// By how far the beam goes, how much its way bends or its speed changes, and its current.
+int BeamCutter::spots_for(const BeamSpan& span, const State& state, const Full& full,
+                          double length) const {
+  const double goes = way(span, state, length) / full.sigma;
+  const double bends = turn(state) * length * length / full.sigma;
+  const int spots = stroke_law::quadrature_for(static_cast<float>(goes)).nodes;
+  if (bends > kBends || change(span, state, full) > kCoarseChange) return std::max(spots, 3);
+  return bends > kBendsLittle ? std::max(spots, 2) : spots;
 }
 
-void BeamCutter::make_steps(double length, int spots, Steps& steps) const {
-  steps.length = length, steps.spots = spots;
-  const auto& rule = stroke_law::kQuadratures[static_cast<std::size_t>(spots - 1)];
+BeamCutter::Rule BeamCutter::rule_of(double length, int spots) const {
+  const auto& quadrature = stroke_law::kQuadratures[static_cast<std::size_t>(spots - 1)];
+  Rule rule;
+  rule.length = length, rule.spots = spots;
+  rule.share = quadrature.weight;
   for (std::size_t i = 0; i < static_cast<std::size_t>(spots); ++i) {
-    const double share = 0.5 + 0.5 * static_cast<double>(rule.at[i]);
-    steps.node[i] = settling_.short_step(share * length);
+    rule.time[i] = (0.5 + 0.5 * static_cast<double>(quadrature.at[i])) * length;
+    rule.step[i] = settling_.short_step(rule.time[i]);
   }
-  steps.whole = settling_.short_step(length);
+  rule.whole = settling_.short_step(length);
+  return rule;
+}
+
+BeamCutter::Pulse BeamCutter::rise_pulse() const {
+  Pulse pulse;
+  if (tau_ == 0) return pulse;
+  pulse.rule = rule_of(kCoarseTaus * tau_, 4);
+  pulse.last = static_cast<float>(decayed(kCoarseTaus, 1).lost);
+  pulse.mean = static_cast<float>(1 - left_after_dwell(kCoarseTaus, 1));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto current = static_cast<float>(decayed(pulse.rule.time[i], tau_).lost);
+    pulse.rule.share[i] *= current / pulse.mean;
+    pulse.grown[i] = static_cast<float>(grown(current));
+  }
+  return pulse;
+}
+
+/// Gauss's and Laguerre's rule (Abramowitz and Stegun, table 25.9) of four nodes, the last of which
+/// has next to no weight.
+BeamCutter::Pulse BeamCutter::fade_pulse() const {
+  constexpr std::array<double, 3> kTimes{0.322547690, 1.745761101, 4.536620297};
+  constexpr std::array<float, 3> kShares{0.603478923f, 0.357611343f, 0.038909734f};
+  Pulse pulse;
+  if (tau_ == 0) return pulse;
+  pulse.rule.length = kFadeTaus * tau_, pulse.rule.spots = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    pulse.rule.time[i] = kTimes[i] * tau_;
+    pulse.rule.step[i] = settling_.short_step(pulse.rule.time[i]);
+    pulse.rule.share[i] = kShares[i];
+    pulse.grown[i] = static_cast<float>(grown(static_cast<float>(std::exp(-kTimes[i]))));
+  }
+  return pulse;
+}
+
+const BeamCutter::Pulse* BeamCutter::pulse_at(const BeamSpan& span, const State& state,
+                                              const Full& full, double left) const {
+  if (tau_ == 0) return nullptr;
+  const bool rises = state.current == 0, fades = span.aim == 0;
+  if (rises == fades) return nullptr;
+  const Pulse& pulse = rises ? rise_ : fade_;
+  if (left < pulse.rule.length || pulse.rule.length > settling_.short_time()) return nullptr;
+  const double time = rises ? pulse.rule.length : tau_;
+  const double most = (rises ? kRiseWay : kFadeWay) * full.sigma;
+  return way(span, state, time) <= most ? &pulse : nullptr;
 }
 
 /// Of the real motion's mean place and way, and the current's tilt along it.
@@ -161,54 +249,100 @@ BeamPiece BeamCutter::even_piece(const BeamSpan& span, const State& from, const 
   return piece;
 }
 
-BeamPiece BeamCutter::spots_piece(const BeamSpan& span, const State& from, const State& to,
-                                  const Steps& steps) const {
-  BeamPiece piece{from.t, to.t, mean_current(span, from, to), steps.spots};
-  const auto& rule = stroke_law::kQuadratures[static_cast<std::size_t>(steps.spots - 1)];
-  const bool changes = from.current != span.aim;
-  const double width = static_cast<double>(span.spread) * (changes ? 1 : grown(span.aim));
-  float sum = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(steps.spots); ++i) {
-    const double by = (0.5 + 0.5 * static_cast<double>(rule.at[i])) * (to.t - from.t);
-    const State node = carried_on(span, from, by, steps.node[i]);
-    piece.x[i] = span.x.at + span.x.speed * node.t + node.x.place;
-    piece.y[i] = span.y.at + span.y.speed * node.t + node.y.place;
-    piece.spread[i] = static_cast<float>(width * (changes ? grown(node.current) : 1) *
-                                         spread_at(piece.x[i], piece.y[i]));
-    sum += piece.share[i] = changes ? rule.weight[i] * node.current : rule.weight[i];
+/// Places, and widths by them.
+void BeamCutter::place_spots(const BeamSpan& span, const State& from, const Rule& rule,
+                             BeamPiece& piece) const {
+  piece.spots = rule.spots;
+  const double x = span.x.at + span.x.speed * from.t, y = span.y.at + span.y.speed * from.t;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rule.spots); ++i) {
+    const double rest_x = settling_.place_after(from.x, rule.step[i]);
+    const double rest_y = settling_.place_after(from.y, rule.step[i]);
+    piece.x[i] = x + span.x.speed * rule.time[i] + rest_x;
+    piece.y[i] = y + span.y.speed * rule.time[i] + rest_y;
+    piece.spread[i] = span.spread * static_cast<float>(spread_at(piece.x[i], piece.y[i]));
   }
-  if (!changes) return piece;
+}
+
+BeamPiece BeamCutter::spots_piece(const BeamSpan& span, const State& from, const State& to,
+                                  const Rule& rule, const Full& full) const {
+  BeamPiece piece{from.t, to.t, mean_current(span, from, to)};
+  place_spots(span, from, rule, piece);
+  piece.share = rule.share;
+  const auto spots = static_cast<std::size_t>(rule.spots);
+  if (from.current == span.aim) {
+    for (std::size_t i = 0; i < spots; ++i) piece.spread[i] *= static_cast<float>(full.grown);
+    return piece;
+  }
+  float sum = 0;
+  for (std::size_t i = 0; i < spots; ++i) {
+    const float current = current_after(rule.time[i], from.current, span.aim, tau_);
+    const double lacks = 1 - static_cast<double>(current / span.aim);
+    // A power of what is nearly 1, by its series.
+    const double grows =
+        std::abs(lacks) < kCoarseChange && current > kLeastGrown
+            ? full.grown * (1 - growth_ * lacks * (1 + 0.5 * (1 - growth_) * lacks))
+            : grown(current);
+    piece.spread[i] *= static_cast<float>(grows);
+    sum += piece.share[i] *= current;
+  }
   for (float& share : piece.share) share /= sum;
+  return piece;
+}
+
+BeamPiece BeamCutter::pulse_piece(const BeamSpan& span, const State& from, const Pulse& pulse,
+                                  const Full& full) const {
+  BeamPiece piece{from.t, from.t + pulse.rule.length, pulse.mean * span.aim};
+  place_spots(span, from, pulse.rule, piece);
+  piece.share = pulse.rule.share;
+  const auto least = static_cast<float>(grown(kLeastGrown));
+  const auto full_grown = static_cast<float>(grown(full.current));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(piece.spots); ++i) {
+    piece.spread[i] *= std::max(least, pulse.grown[i] * full_grown);
+  }
   return piece;
 }
 
 void BeamCutter::cut(const BeamSpan& span, double from, double to,
                      std::vector<BeamPiece>& pieces) const {
   State state = at(span, from);
-  Steps steps;
+  const Full full = full_of(span);
+  Rule rule;
   const double sliver = 1e-6 * (to - from);
   while (state.t < to) {
     const double left = to - state.t;
-    const Plan next = plan(span, state, left);
-    if (next.even) {
-      State after = carried_on(span, state, next.length, settling_.step(next.length));
+    if (const Pulse* const pulse = pulse_at(span, state, full, left)) {
+      pieces.push_back(pulse_piece(span, state, *pulse, full));
+      if (pulse == &fade_) {
+        // All that is left of it.
+        pieces.back().to = to;
+        pieces.back().current = mean_current(span, state, {to, {}, {}, 0});
+        return;
+      }
+      state = carried_on(span, state, pulse->rule.length, pulse->rule.whole);
+      continue;
+    }
+    const double even = even_length(span, state, full);
+    const double speed = length_of(span.x.speed + state.x.speed, span.y.speed + state.y.speed);
+    if (even >= left || even * speed >= kLeastEvenWay * full.sigma) {
+      const double length = std::min(even, left);
+      State after = carried_on(span, state, length, settling_.step(length));
       if (to - after.t < sliver) after.t = to;
       pieces.push_back(even_piece(span, state, after));
       state = after;
       continue;
     }
     // As long as the last one if that may be, or a whole share of what is left.
-    const int spots =
-        std::max(next.least_spots, stroke_law::quadrature_for(static_cast<float>(next.way)).nodes);
-    const bool again = spots == steps.spots && steps.length <= next.length + sliver &&
-                       steps.length >= kShortPiece * next.length && left >= 2 * steps.length;
-    const double length = again ? steps.length : left / std::ceil(left / next.length - 1e-6);
-    if (spots != steps.spots || std::abs(length - steps.length) > sliver) {
-      make_steps(length, spots, steps);
+    const double longest = spots_length(span, state, full, left);
+    const bool again = rule.length <= longest + sliver && rule.length >= kShortPiece * longest &&
+                       left >= 2 * rule.length;
+    const double length = again ? rule.length : left / std::ceil(left / longest - 1e-6);
+    const int spots = spots_for(span, state, full, length);
+    if (spots != rule.spots || std::abs(length - rule.length) > sliver) {
+      rule = rule_of(length, spots);
     }
-    State after = carried_on(span, state, length, steps.whole);
+    State after = carried_on(span, state, length, rule.whole);
     if (to - after.t < sliver) after.t = to;
-    pieces.push_back(spots_piece(span, state, after, steps));
+    pieces.push_back(spots_piece(span, state, after, rule, full));
     state = after;
   }
 }

@@ -31,31 +31,54 @@ class BeamCutter {
     Transient x, y;
     float current;
   };
-  /// How the next piece is to be cut.
-  struct Plan {
-    double length;  // seconds
-    double way;     // deviations
-    bool even;      // a stroke, else spots
-    int least_spots;
+  /// Of a span: the greatest current and its spot's deviation in the middle of the screen; how the
+  /// spot has grown when the current has settled.
+  struct Full {
+    float current;
+    double sigma, grown;
   };
-  /// What carries transients on within pieces of one length.
-  struct Steps {
+  /// A rule for pieces of one length: where its spots are in time, and what carries transients on
+  /// until then.
+  struct Rule {
     double length = -1;
     int spots = 0;
-    Settling::Step whole;
-    std::array<Settling::Step, BeamSpots::kMost> node;
+    std::array<double, BeamSpots::kMost> time{};
+    std::array<float, BeamSpots::kMost> share{};
+    Settling::Step whole{};
+    std::array<Settling::Step, BeamSpots::kMost> step{};
+  };
+  /// A rule for a current that rises from none, or fades to none, of 1.
+  struct Pulse {
+    Rule rule;
+    float mean = 0, last = 0;  // the current, of the whole, and in the end
+    std::array<float, BeamSpots::kMost> grown{};
   };
 
   State at(const BeamSpan& span, double t) const;
   State carried_on(const BeamSpan& span, const State& state, double by,
                    const Settling::Step& step) const;
-  Plan plan(const BeamSpan& span, const State& state, double left) const;
-  double spots_length(const BeamSpan& span, const State& state, double sigma, double change) const;
-  void make_steps(double length, int spots, Steps& steps) const;
+  Full full_of(const BeamSpan& span) const;
+  double even_length(const BeamSpan& span, const State& state, const Full& full) const;
+  double spots_length(const BeamSpan& span, const State& state, const Full& full,
+                      double longest) const;
+  int spots_for(const BeamSpan& span, const State& state, const Full& full, double length) const;
+  double turn(const State& state) const;
+  double way(const BeamSpan& span, const State& state, double time) const;
+  Rule rule_of(double length, int spots) const;
+  Pulse rise_pulse() const;
+  Pulse fade_pulse() const;
+  /// @return the pulse that begins at a state, if it is one
+  const Pulse* pulse_at(const BeamSpan& span, const State& state, const Full& full,
+                        double left) const;
   BeamPiece even_piece(const BeamSpan& span, const State& from, const State& to) const;
-  BeamPiece spots_piece(const BeamSpan& span, const State& from, const State& to,
-                        const Steps& steps) const;
+  void place_spots(const BeamSpan& span, const State& from, const Rule& rule,
+                   BeamPiece& piece) const;
+  BeamPiece spots_piece(const BeamSpan& span, const State& from, const State& to, const Rule& rule,
+                        const Full& full) const;
+  BeamPiece pulse_piece(const BeamSpan& span, const State& from, const Pulse& pulse,
+                        const Full& full) const;
   float mean_current(const BeamSpan& span, const State& from, const State& to) const;
+  double change(const BeamSpan& span, const State& state, const Full& full) const;
   /// Times the spot's usual width: by the current, and by the place.
   double grown(float current) const;
   double spread_at(double x, double y) const;
@@ -63,6 +86,7 @@ class BeamCutter {
   double width_, height_, sigma_;  // device units
   double growth_, edge_spread_, tau_;
   Settling settling_;
+  Pulse rise_, fade_;
 };
 
 }  // namespace kinescope

@@ -43,9 +43,11 @@ class Settling {
   /// than an oscillation.
   Step short_step(double t) const;
   double short_time() const { return short_time_; }
+  double place_after(const Transient& y, const Step& step) const {
+    return y.place * (step.speed + 2 * decay_ * step.answer) + y.speed * step.answer;
+  }
   Transient after(const Transient& y, const Step& step) const {
-    return {y.place * (step.speed + 2 * decay_ * step.answer) + y.speed * step.answer,
-            y.speed * step.speed - w_ * w_ * y.place * step.answer};
+    return {place_after(y, step), y.speed * step.speed - w_ * w_ * y.place * step.answer};
   }
   /// The mean place of the time in which one transient became another.
   double mean_place(const Transient& from, const Transient& to, double time) const;
