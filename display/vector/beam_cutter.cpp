@@ -69,6 +69,7 @@ BeamCutter::BeamCutter(const VectorMachine& m)
       edge_spread_(m.edge_spread),
       tau_(current_tau(m)),
       settling_(deflection_law(m)),
+      least_grown_(static_cast<float>(grown(kLeastGrown))),
       rise_(rise_pulse()),
       fade_(fade_pulse()) {}
 
@@ -117,14 +118,9 @@ double BeamCutter::change(const BeamSpan& span, const State& state, const Full& 
   return static_cast<double>(std::abs(span.aim - state.current) / full.current);
 }
 
-/// A bound of the acceleration from now on.
-double BeamCutter::turn(const State& state) const {
-  return length_of(settling_.most_acceleration(state.x), settling_.most_acceleration(state.y));
-}
-
 /// For how long the beam is even from now on.
-double BeamCutter::even_length(const BeamSpan& span, const State& state, const Full& full) const {
-  const double turns = turn(state);
+double BeamCutter::even_length(const BeamSpan& span, const State& state, const Full& full,
+                               double turns) const {
   double even = turns > 0 ? std::sqrt(8 * kMostSag * full.sigma / turns) : kEver;
   const double lacks = tau_ > 0 ? change(span, state, full) : 0;
   if (lacks > 0) even = std::min(even, kMostCurrentChange * tau_ / lacks);
@@ -149,31 +145,29 @@ double BeamCutter::way(const BeamSpan& span, const State& state, double time) co
 
 /// For how long a few spots stand for the beam: as far as it goes a few deviations, its transients'
 /// series holds, and its current changes smoothly.
-double BeamCutter::spots_length(const BeamSpan& span, const State& state, const Full& full,
-                                double longest) const {
-  const double most_way = kSpotsWay * full.sigma *
-                          spread_at(span.x.at + span.x.speed * state.t + state.x.place,
-                                    span.y.at + span.y.speed * state.t + state.y.place);
+BeamCutter::Reached BeamCutter::spots_length(const BeamSpan& span, const State& state,
+                                             const Full& full, double longest) const {
+  const double sigma = full.sigma * spread_at(span.x.at + span.x.speed * state.t + state.x.place,
+                                              span.y.at + span.y.speed * state.t + state.y.place);
   double length = std::min(longest, settling_.short_time());
   const double lacks = tau_ > 0 ? change(span, state, full) : 0;
   if (lacks > kFineChange) {
     length = std::min(length, tau_ * (lacks > kCoarseChange ? kCoarseTaus : kFineTaus));
   }
-  for (int i = 0; i < 2; ++i) {
-    const double goes = way(span, state, length);
-    if (goes <= 1.02 * most_way) break;
-    length *= most_way / goes;
+  double goes = way(span, state, length) / sigma;
+  for (int i = 0; i < 2 && goes > 1.02 * kSpotsWay; ++i) {
+    length *= kSpotsWay / goes;
+    goes = i == 0 ? way(span, state, length) / sigma : kSpotsWay;
   }
-  return length;
+  return {length, goes};
 }
 
 /// By how far the beam goes, how much its way bends or its speed changes, and its current.
-int BeamCutter::spots_for(const BeamSpan& span, const State& state, const Full& full,
-                          double length) const {
-  const double goes = way(span, state, length) / full.sigma;
-  const double bends = turn(state) * length * length / full.sigma;
-  const int spots = stroke_law::quadrature_for(static_cast<float>(goes)).nodes;
-  if (bends > kBends || change(span, state, full) > kCoarseChange) return std::max(spots, 3);
+int BeamCutter::spots_for(double way, double turns, double lacks, double length,
+                          const Full& full) const {
+  const double bends = turns * length * length / full.sigma;
+  const int spots = stroke_law::quadrature_for(static_cast<float>(way)).nodes;
+  if (bends > kBends || lacks > kCoarseChange) return std::max(spots, 3);
   return bends > kBendsLittle ? std::max(spots, 2) : spots;
 }
 
@@ -182,11 +176,13 @@ BeamCutter::Rule BeamCutter::rule_of(double length, int spots) const {
   Rule rule;
   rule.length = length, rule.spots = spots;
   rule.share = quadrature.weight;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(spots); ++i) {
-    rule.time[i] = (0.5 + 0.5 * static_cast<double>(quadrature.at[i])) * length;
-    rule.step[i] = settling_.short_step(rule.time[i]);
+  std::array<double, Settling::kSteps> times{};
+  for (std::size_t i = 0; i < BeamSpots::kMost; ++i) {
+    times[i] = rule.time[i] = (0.5 + 0.5 * static_cast<double>(quadrature.at[i])) * length;
   }
-  rule.whole = settling_.short_step(length);
+  times.back() = length;
+  rule.step = settling_.short_steps(times);
+  rule.whole = rule.step.back();
   return rule;
 }
 
@@ -294,10 +290,9 @@ BeamPiece BeamCutter::pulse_piece(const BeamSpan& span, const State& from, const
   BeamPiece piece{from.t, from.t + pulse.rule.length, pulse.mean * span.aim};
   place_spots(span, from, pulse.rule, piece);
   piece.share = pulse.rule.share;
-  const auto least = static_cast<float>(grown(kLeastGrown));
   const auto full_grown = static_cast<float>(grown(full.current));
   for (std::size_t i = 0; i < static_cast<std::size_t>(piece.spots); ++i) {
-    piece.spread[i] *= std::max(least, pulse.grown[i] * full_grown);
+    piece.spread[i] *= std::max(least_grown_, pulse.grown[i] * full_grown);
   }
   return piece;
 }
@@ -321,7 +316,8 @@ void BeamCutter::cut(const BeamSpan& span, double from, double to,
       state = carried_on(span, state, pulse->rule.length, pulse->rule.whole);
       continue;
     }
-    const double even = even_length(span, state, full);
+    const double turns = settling_.most_acceleration(state.x, state.y);
+    const double even = even_length(span, state, full, turns);
     const double speed = length_of(span.x.speed + state.x.speed, span.y.speed + state.y.speed);
     if (even >= left || even * speed >= kLeastEvenWay * full.sigma) {
       const double length = std::min(even, left);
@@ -332,11 +328,13 @@ void BeamCutter::cut(const BeamSpan& span, double from, double to,
       continue;
     }
     // As long as the last one if that may be, or a whole share of what is left.
-    const double longest = spots_length(span, state, full, left);
-    const bool again = rule.length <= longest + sliver && rule.length >= kShortPiece * longest &&
-                       left >= 2 * rule.length;
-    const double length = again ? rule.length : left / std::ceil(left / longest - 1e-6);
-    const int spots = spots_for(span, state, full, length);
+    const Reached most = spots_length(span, state, full, left);
+    const bool again = rule.length <= most.length + sliver &&
+                       rule.length >= kShortPiece * most.length && left >= 2 * rule.length;
+    const double length = again ? rule.length : left / std::ceil(left / most.length - 1e-6);
+    const double way = most.way * length / most.length;
+    const double lacks = tau_ > 0 ? change(span, state, full) : 0;
+    const int spots = spots_for(way, turns, lacks, length, full);
     if (spots != rule.spots || std::abs(length - rule.length) > sliver) {
       rule = rule_of(length, spots);
     }

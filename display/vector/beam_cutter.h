@@ -45,7 +45,7 @@ class BeamCutter {
     std::array<double, BeamSpots::kMost> time{};
     std::array<float, BeamSpots::kMost> share{};
     Settling::Step whole{};
-    std::array<Settling::Step, BeamSpots::kMost> step{};
+    std::array<Settling::Step, Settling::kSteps> step{};
   };
   /// A rule for a current that rises from none, or fades to none, of 1.
   struct Pulse {
@@ -58,11 +58,15 @@ class BeamCutter {
   State carried_on(const BeamSpan& span, const State& state, double by,
                    const Settling::Step& step) const;
   Full full_of(const BeamSpan& span) const;
-  double even_length(const BeamSpan& span, const State& state, const Full& full) const;
-  double spots_length(const BeamSpan& span, const State& state, const Full& full,
-                      double longest) const;
-  int spots_for(const BeamSpan& span, const State& state, const Full& full, double length) const;
-  double turn(const State& state) const;
+  double even_length(const BeamSpan& span, const State& state, const Full& full,
+                     double turns) const;
+  /// How long a piece of spots is, and how far the beam goes in it, deviations.
+  struct Reached {
+    double length, way;
+  };
+  Reached spots_length(const BeamSpan& span, const State& state, const Full& full,
+                       double longest) const;
+  int spots_for(double way, double turns, double lacks, double length, const Full& full) const;
   double way(const BeamSpan& span, const State& state, double time) const;
   Rule rule_of(double length, int spots) const;
   Pulse rise_pulse() const;
@@ -86,6 +90,7 @@ class BeamCutter {
   double width_, height_, sigma_;  // device units
   double growth_, edge_spread_, tau_;
   Settling settling_;
+  float least_grown_;
   Pulse rise_, fade_;
 };
 

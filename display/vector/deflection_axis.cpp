@@ -30,8 +30,7 @@ Settling::Settling(const DeflectionLaw& law) {
   decay_ = law.damping * w_;
   lag_ = law.lag().count();
   short_time_ = 2 / (w_ * std::max(1.0, 2 * law.damping));
-  // The oscillation's energy only falls; y'' = -2 decay y' - w^2 y.
-  most_acceleration_ = w_ * w_ * std::sqrt(1 + 4 * law.damping * law.damping);
+  most_acceleration_ = w_ * std::sqrt(1 + 4 * law.damping * law.damping);
   series_[1] = 1;
   for (std::size_t n = 2; n < kTerms; ++n) {
     const auto k = static_cast<double>(n);
@@ -39,7 +38,7 @@ Settling::Settling(const DeflectionLaw& law) {
   }
 }
 
-Settling::Step Settling::step(double t) const {
+Settling::Step Settling::closed_step(double t) const {
   if (w_ == 0) return {0, 0};
   // exp(-decay t) times cos(k t) and sin(k t) / k, of whatever kind k is.
   const double k2 = w_ * w_ - decay_ * decay_, k = std::sqrt(std::abs(k2));
@@ -66,16 +65,32 @@ Settling::Step Settling::short_step(double t) const {
   return {w_ > 0 ? answer / w_ : 0, speed};
 }
 
+std::array<Settling::Step, Settling::kSteps> Settling::short_steps(
+    const std::array<double, kSteps>& times) const {
+  std::array<double, kSteps> x, answer{}, speed{};
+  for (std::size_t i = 0; i < kSteps; ++i) x[i] = w_ * times[i];
+  for (std::size_t n = kTerms; n-- > 0;) {
+    for (std::size_t i = 0; i < kSteps; ++i) {
+      speed[i] = speed[i] * x[i] + answer[i];
+      answer[i] = answer[i] * x[i] + series_[n];
+    }
+  }
+  std::array<Step, kSteps> steps;
+  const double scale = w_ > 0 ? 1 / w_ : 0;
+  for (std::size_t i = 0; i < kSteps; ++i) steps[i] = {answer[i] * scale, speed[i]};
+  return steps;
+}
+
 /// The integral of the oscillation follows from its law.
 double Settling::mean_place(const Transient& from, const Transient& to, double time) const {
   if (w_ == 0 || !(time > 0)) return 0;
   return ((from.speed - to.speed) + 2 * decay_ * (from.place - to.place)) / (w_ * w_ * time);
 }
 
-double Settling::most_place(const Transient& y) const {
-  if (w_ == 0) return 0;
-  const double speed = y.speed / w_;
-  return std::sqrt(y.place * y.place + speed * speed);
+/// The oscillation's energy only falls; y'' = -2 decay y' - w^2 y.
+double Settling::most_acceleration(const Transient& x, const Transient& y) const {
+  const double speed2 = x.speed * x.speed + y.speed * y.speed;
+  return most_acceleration_ * std::sqrt(w_ * w_ * (x.place * x.place + y.place * y.place) + speed2);
 }
 
 DeflectionAxis::DeflectionAxis(const DeflectionLaw& law)

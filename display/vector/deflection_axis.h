@@ -37,12 +37,16 @@ class Settling {
 
   explicit Settling(const DeflectionLaw& law);
 
+  Step step(double t) const { return t <= short_time_ ? short_step(t) : closed_step(t); }
   /// In closed form.
-  Step step(double t) const;
+  Step closed_step(double t) const;
   /// By its Taylor series, without exp or sin, to 1e-8: up to short_time(), a few times shorter
   /// than an oscillation.
   Step short_step(double t) const;
   double short_time() const { return short_time_; }
+  /// Short steps of several times at once.
+  static constexpr std::size_t kSteps = 8;
+  std::array<Step, kSteps> short_steps(const std::array<double, kSteps>& times) const;
   double place_after(const Transient& y, const Step& step) const {
     return y.place * (step.speed + 2 * decay_ * step.answer) + y.speed * step.answer;
   }
@@ -51,9 +55,8 @@ class Settling {
   }
   /// The mean place of the time in which one transient became another.
   double mean_place(const Transient& from, const Transient& to, double time) const;
-  /// No farther from 0 at any later time, and no more of an acceleration.
-  double most_place(const Transient& y) const;
-  double most_acceleration(const Transient& y) const { return most_acceleration_ * most_place(y); }
+  /// A bound of the acceleration of both axes together from now on.
+  double most_acceleration(const Transient& x, const Transient& y) const;
   double acceleration(const Transient& y) const {
     return -2 * decay_ * y.speed - w_ * w_ * y.place;
   }

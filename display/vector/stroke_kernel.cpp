@@ -38,21 +38,31 @@ HWY_INLINE Floats exp2_of(Floats x) {
   return hn::BitCast(d, hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(hn::BitCast(di, shifted))));
 }
 
+/// Spots are drawn by rows of up to sixteen pixels, which hold most of them.
+using W = hn::CappedTag<float, 16>;
+using Wide = hn::Vec<W>;
+constexpr W w;
+HWY_INLINE int wide_lanes() { return static_cast<int>(hn::Lanes(w)); }
+HWY_INLINE Wide wide(float v) { return hn::Set(w, v); }
+
 /// A normal distribution's share below z deviations, less a half; cut at kSpotReach and scaled to
 /// reach it: to 8e-6, by a Chebyshev series in z^2.
-HWY_INLINE Floats normal_below(Floats z) {
-  z = hn::Min(hn::Max(z, set(-kSpotReach)), set(kSpotReach));
-  const Floats q = hn::Mul(z, z);
-  Floats p = hn::MulAdd(set(9.56817037e-11f), q, set(-8.02693226e-09f));
-  p = hn::MulAdd(p, q, set(3.00281915e-07f));
-  p = hn::MulAdd(p, q, set(-6.72111987e-06f));
-  p = hn::MulAdd(p, q, set(0.00010251739f));
-  p = hn::MulAdd(p, q, set(-0.00115129315f));
-  p = hn::MulAdd(p, q, set(0.00992215142f));
-  p = hn::MulAdd(p, q, set(-0.0664651646f));
-  p = hn::MulAdd(p, q, set(0.398964777f));
+template <class D>
+HWY_INLINE hn::Vec<D> normal_below(D tag, hn::Vec<D> z) {
+  const auto number = [&](float v) { return hn::Set(tag, v); };
+  z = hn::Min(hn::Max(z, number(-kSpotReach)), number(kSpotReach));
+  const hn::Vec<D> q = hn::Mul(z, z);
+  hn::Vec<D> p = hn::MulAdd(number(9.56817037e-11f), q, number(-8.02693226e-09f));
+  p = hn::MulAdd(p, q, number(3.00281915e-07f));
+  p = hn::MulAdd(p, q, number(-6.72111987e-06f));
+  p = hn::MulAdd(p, q, number(0.00010251739f));
+  p = hn::MulAdd(p, q, number(-0.00115129315f));
+  p = hn::MulAdd(p, q, number(0.00992215142f));
+  p = hn::MulAdd(p, q, number(-0.0664651646f));
+  p = hn::MulAdd(p, q, number(0.398964777f));
   return hn::Mul(p, z);
 }
+HWY_INLINE Floats normal_below(Floats z) { return normal_below(d, z); }
 
 /// Rows [first, last) of a column of pixels.
 struct Rows {
@@ -230,20 +240,19 @@ constexpr std::size_t kAxis = kBeamTile + 16;
 using Axis = std::array<float, kAxis>;
 
 /// @param scale deviations a pixel @param edges [i]: a spot's share below the lower edge of pixel
-/// begin + i of an axis, less a half.
+/// begin + i of an axis, less a half
 HWY_INLINE void axis_edges(const Reached& range, float middle, float scale, Axis& edges) {
-  const Floats per_pixel = set(scale);
+  const Wide per_pixel = wide(scale);
   const float start = (static_cast<float>(range.begin) - middle) * scale;
-  for (int i = 0; i <= range.count(); i += lanes()) {
-    const Floats z = hn::MulAdd(lane_numbers(d), per_pixel, set(start));
-    const Floats shift = set(static_cast<float>(i) * scale);
-    hn::StoreU(normal_below(hn::Add(z, shift)), d, edges.data() + i);
+  for (int i = 0; i <= range.count(); i += wide_lanes()) {
+    const Wide first = wide(start + static_cast<float>(i) * scale);
+    hn::StoreU(normal_below(w, hn::MulAdd(lane_numbers(w), per_pixel, first)), w, edges.data() + i);
   }
 }
 
 /// Of the pixels from `i` on.
-HWY_INLINE Floats shares_between(const Axis& edges, int i) {
-  return hn::Sub(hn::LoadU(d, edges.data() + i + 1), hn::LoadU(d, edges.data() + i));
+HWY_INLINE Wide shares_between(const Axis& edges, int i) {
+  return hn::Sub(hn::LoadU(w, edges.data() + i + 1), hn::LoadU(w, edges.data() + i));
 }
 
 /// Some spots of a tile by their shares of rows and columns: edges of columns, shares of rows.
@@ -251,25 +260,30 @@ template <int kCount>
 HWY_INLINE void draw_products(const std::array<Axis, BeamSpots::kMost>& columns,
                               const std::array<Axis, BeamSpots::kMost>& rows, const Reached& across,
                               const Reached& down, const Target& target) {
-  for (int x = 0; x < across.count(); x += lanes()) {
-    const auto inside = hn::Lt(lane_numbers(d), set(static_cast<float>(across.count() - x)));
+  for (int x = 0; x < across.count(); x += wide_lanes()) {
+    const auto inside = hn::Lt(lane_numbers(w), wide(static_cast<float>(across.count() - x)));
     const auto column = [&](std::size_t k) {
       return hn::IfThenElseZero(inside, shares_between(columns[k], x));
     };
     const Target to = target;
-    const Floats zero = hn::Zero(d);
-    const Floats a = column(0), b = kCount > 1 ? column(1) : zero;
-    const Floats c = kCount > 2 ? column(2) : zero, e = kCount > 3 ? column(3) : zero;
-    const Floats f = kCount > 4 ? column(4) : zero, g = kCount > 5 ? column(5) : zero;
+    const Wide weight = wide(to.planes.weight[0]), zero = hn::Zero(w);
+    const Wide a = column(0), b = kCount > 1 ? column(1) : zero;
+    const Wide c = kCount > 2 ? column(2) : zero, e = kCount > 3 ? column(3) : zero;
+    const Wide f = kCount > 4 ? column(4) : zero, g = kCount > 5 ? column(5) : zero;
     int place = down.begin * kBeamTile + across.begin + x;
     for (std::size_t y = 0; y < static_cast<std::size_t>(down.count()); ++y) {
-      Floats sum = hn::Mul(a, set(rows[0][y]));
-      if (kCount > 1) sum = hn::MulAdd(b, set(rows[1][y]), sum);
-      if (kCount > 2) sum = hn::MulAdd(c, set(rows[2][y]), sum);
-      if (kCount > 3) sum = hn::MulAdd(e, set(rows[3][y]), sum);
-      if (kCount > 4) sum = hn::MulAdd(f, set(rows[4][y]), sum);
-      if (kCount > 5) sum = hn::MulAdd(g, set(rows[5][y]), sum);
-      to.add(place, sum);
+      Wide sum = hn::Mul(a, wide(rows[0][y]));
+      if (kCount > 1) sum = hn::MulAdd(b, wide(rows[1][y]), sum);
+      if (kCount > 2) sum = hn::MulAdd(c, wide(rows[2][y]), sum);
+      if (kCount > 3) sum = hn::MulAdd(e, wide(rows[3][y]), sum);
+      if (kCount > 4) sum = hn::MulAdd(f, wide(rows[4][y]), sum);
+      if (kCount > 5) sum = hn::MulAdd(g, wide(rows[5][y]), sum);
+      float* const light = to.first + place;
+      hn::StoreU(hn::MulAdd(weight, sum, hn::LoadU(w, light)), w, light);
+      for (std::size_t i = 1; i < to.count; ++i) {
+        float* const other = to.tile.light + to.planes.offset[i] + place;
+        hn::StoreU(hn::MulAdd(wide(to.planes.weight[i]), sum, hn::LoadU(w, other)), w, other);
+      }
       place += kBeamTile;
     }
   }
@@ -294,9 +308,9 @@ HWY_INLINE void draw_spots(const BeamSpots& spots, const Target& target) {
     axis_edges(down, spots.y[k], scale, rows[k]);
   }
   for (std::size_t k = 0; k < count; ++k) {
-    const Floats share = set(spots.share[k]);
-    for (int y = 0; y < down.count(); y += lanes()) {
-      hn::StoreU(hn::Mul(share, shares_between(rows[k], y)), d, rows[k].data() + y);
+    const Wide share = wide(spots.share[k]);
+    for (int y = 0; y < down.count(); y += wide_lanes()) {
+      hn::StoreU(hn::Mul(share, shares_between(rows[k], y)), w, rows[k].data() + y);
     }
   }
   switch (count) {
