@@ -143,14 +143,24 @@ void BeamPainter::draw(std::span<BeamMarks> chunks, TiledLight& light, Workers& 
     const auto i = static_cast<std::size_t>(number);
     sort(chunks[i], light, chunks_[i]);
   });
+  const auto planes = static_cast<std::size_t>(light.planes());
+  const auto order_of = [&](std::size_t chunk, int tile) {
+    const Chunk& c = chunks_[chunk];
+    const std::size_t begin = c.starts[static_cast<std::size_t>(tile)];
+    return std::span(c.order).subspan(begin, c.starts[static_cast<std::size_t>(tile) + 1] - begin);
+  };
   workers.run(light.tiles(), [&](int tile, int) {
     for (std::size_t i = 0; i < chunks.size(); ++i) {
-      const Chunk& chunk = chunks_[i];
-      const std::size_t begin = chunk.starts[static_cast<std::size_t>(tile)];
-      const std::size_t end = chunk.starts[static_cast<std::size_t>(tile) + 1];
-      if (begin == end) continue;
+      if (i + 1 < chunks.size()) {
+        const auto next = order_of(i + 1, tile);
+        for (const auto mark : next.first(std::min(next.size(), kMarksAhead))) {
+          prefetch_mark(chunks[i + 1], mark, planes);
+        }
+      }
+      const auto order = order_of(i, tile);
+      if (order.empty()) continue;
       light.set_lit(tile, true);
-      draw_marks(chunks[i], {chunk.order.data() + begin, end - begin}, light.tile(tile));
+      draw_marks(chunks[i], order, light.tile(tile));
     }
   });
 }

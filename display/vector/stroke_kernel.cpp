@@ -237,36 +237,40 @@ struct Reached {
 };
 
 constexpr std::size_t kAxis = kBeamTile + 16;
-using Axis = std::array<float, kAxis>;
+using Axes = std::array<std::array<float, kAxis>, BeamSpots::kMost>;
 
-/// @param scale deviations a pixel @param edges [i]: a spot's share below the lower edge of pixel
-/// begin + i of an axis, less a half
-HWY_INLINE void axis_edges(const Reached& range, float middle, float scale, Axis& edges) {
-  const Wide per_pixel = wide(scale);
-  const float start = (static_cast<float>(range.begin) - middle) * scale;
-  for (int i = 0; i <= range.count(); i += wide_lanes()) {
-    const Wide first = wide(start + static_cast<float>(i) * scale);
-    hn::StoreU(normal_below(w, hn::MulAdd(lane_numbers(w), per_pixel, first)), w, edges.data() + i);
-  }
+/// Of each lane the next one; of the last itself.
+HWY_INLINE auto next_lanes() {
+  const hn::RebindToSigned<W> i;
+  const auto next = hn::Add(lane_numbers(i), hn::Set(i, 1));
+  return hn::IndicesFromVec(w, hn::Min(next, hn::Set(i, wide_lanes() - 1)));
+}
+HWY_INLINE int share_lanes() { return wide_lanes() - 1; }
+/// Deviations a pixel.
+HWY_INLINE float scale_of(float sigma) { return 1 / std::max(sigma, kLeastSigma); }
+
+/// A spot's shares of as many pixels of an axis as share_lanes(), the last lane 0. Each is the
+/// difference of the distribution at its two edges, which are neighbouring lanes. @param scale
+/// deviations a pixel @param start of the first edge, deviations
+HWY_INLINE Wide axis_shares(float start, float scale) {
+  const Wide edges = hn::MulAdd(lane_numbers(w), wide(scale), wide(start));
+  const Wide below = normal_below(w, edges);
+  return hn::Sub(hn::TableLookupLanes(below, next_lanes()), below);
 }
 
-/// Of the pixels from `i` on.
-HWY_INLINE Wide shares_between(const Axis& edges, int i) {
-  return hn::Sub(hn::LoadU(w, edges.data() + i + 1), hn::LoadU(w, edges.data() + i));
-}
-
-/// Some spots of a tile by their shares of rows and columns: edges of columns, shares of rows.
+/// Some spots of a tile, by their shares of rows.
 template <int kCount>
-HWY_INLINE void draw_products(const std::array<Axis, BeamSpots::kMost>& columns,
-                              const std::array<Axis, BeamSpots::kMost>& rows, const Reached& across,
+HWY_INLINE void draw_products(const BeamSpots& spots, const Axes& rows, const Reached& across,
                               const Reached& down, const Target& target) {
-  for (int x = 0; x < across.count(); x += wide_lanes()) {
+  const Target to = target;
+  const Wide weight = wide(to.planes.weight[0]), zero = hn::Zero(w);
+  for (int x = 0; x < across.count(); x += share_lanes()) {
     const auto inside = hn::Lt(lane_numbers(w), wide(static_cast<float>(across.count() - x)));
     const auto column = [&](std::size_t k) {
-      return hn::IfThenElseZero(inside, shares_between(columns[k], x));
+      const float scale = scale_of(spots.sigma[k]);
+      const float start = (static_cast<float>(across.begin + x) - spots.x[k]) * scale;
+      return hn::IfThenElseZero(inside, axis_shares(start, scale));
     };
-    const Target to = target;
-    const Wide weight = wide(to.planes.weight[0]), zero = hn::Zero(w);
     const Wide a = column(0), b = kCount > 1 ? column(1) : zero;
     const Wide c = kCount > 2 ? column(2) : zero, e = kCount > 3 ? column(3) : zero;
     const Wide f = kCount > 4 ? column(4) : zero, g = kCount > 5 ? column(5) : zero;
@@ -301,31 +305,29 @@ HWY_INLINE void draw_spots(const BeamSpots& spots, const Target& target) {
   const float reach = kSpotReach * std::max(sigma, kLeastSigma);
   const Reached across(left, right, reach), down(top, bottom, reach);
   if (across.count() <= 0 || down.count() <= 0) return;
-  std::array<Axis, BeamSpots::kMost> columns, rows;
+  Axes rows;
   for (std::size_t k = 0; k < count; ++k) {
-    const float scale = 1 / std::max(spots.sigma[k], kLeastSigma);
-    axis_edges(across, spots.x[k], scale, columns[k]);
-    axis_edges(down, spots.y[k], scale, rows[k]);
-  }
-  for (std::size_t k = 0; k < count; ++k) {
+    const float scale = scale_of(spots.sigma[k]);
+    const float start = (static_cast<float>(down.begin) - spots.y[k]) * scale;
     const Wide share = wide(spots.share[k]);
-    for (int y = 0; y < down.count(); y += wide_lanes()) {
-      hn::StoreU(hn::Mul(share, shares_between(rows[k], y)), w, rows[k].data() + y);
+    for (int y = 0; y < down.count(); y += share_lanes()) {
+      const Wide shares = axis_shares(start + static_cast<float>(y) * scale, scale);
+      hn::StoreU(hn::Mul(share, shares), w, rows[k].data() + y);
     }
   }
   switch (count) {
     case 1:
-      return draw_products<1>(columns, rows, across, down, target);
+      return draw_products<1>(spots, rows, across, down, target);
     case 2:
-      return draw_products<2>(columns, rows, across, down, target);
+      return draw_products<2>(spots, rows, across, down, target);
     case 3:
-      return draw_products<3>(columns, rows, across, down, target);
+      return draw_products<3>(spots, rows, across, down, target);
     case 4:
-      return draw_products<4>(columns, rows, across, down, target);
+      return draw_products<4>(spots, rows, across, down, target);
     case 5:
-      return draw_products<5>(columns, rows, across, down, target);
+      return draw_products<5>(spots, rows, across, down, target);
     default:
-      return draw_products<6>(columns, rows, across, down, target);
+      return draw_products<6>(spots, rows, across, down, target);
   }
 }
 
@@ -391,24 +393,11 @@ HWY_INLINE void draw_spots_on(const BeamSpots& spots, const Target& target) {
   draw_spots(here, target);
 }
 
-/// Marks lie anywhere in memory.
-HWY_INLINE void prefetch(const BeamMarks& marks, std::size_t number, std::size_t planes) {
-  if (number < marks.strokes.size()) {
-    hwy::Prefetch(&marks.strokes[number]);
-    hwy::Prefetch(&marks.stroke_weights[number * planes]);
-  } else {
-    const std::size_t i = number - marks.strokes.size();
-    hwy::Prefetch(&marks.spots[i]);
-    hwy::Prefetch(&marks.spots[i].share);
-    hwy::Prefetch(&marks.spot_weights[i * planes]);
-  }
-}
-
 void DrawMarks(const BeamMarks& marks, std::span<const std::uint32_t> order, const BeamTile& tile) {
-  constexpr std::size_t kAhead = 8;
   const auto planes = static_cast<std::size_t>(tile.planes);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i + kAhead < order.size()) prefetch(marks, order[i + kAhead], planes);
+    const std::size_t ahead = i + kMarksAhead;
+    if (ahead < order.size()) prefetch_mark(marks, order[ahead], planes);
     const std::size_t number = order[i], strokes = marks.strokes.size();
     const bool is_stroke = number < strokes;
     const float* const weights = is_stroke ? &marks.stroke_weights[number * planes]
@@ -433,6 +422,18 @@ HWY_AFTER_NAMESPACE();
 namespace kinescope {
 
 HWY_EXPORT(DrawMarks);
+
+void prefetch_mark(const BeamMarks& marks, std::size_t number, std::size_t planes) {
+  if (number < marks.strokes.size()) {
+    hwy::Prefetch(&marks.strokes[number]);
+    hwy::Prefetch(&marks.stroke_weights[number * planes]);
+  } else {
+    const std::size_t i = number - marks.strokes.size();
+    hwy::Prefetch(&marks.spots[i]);
+    hwy::Prefetch(&marks.spots[i].share);
+    hwy::Prefetch(&marks.spot_weights[i * planes]);
+  }
+}
 
 void draw_marks(const BeamMarks& marks, std::span<const std::uint32_t> order,
                 const BeamTile& tile) {

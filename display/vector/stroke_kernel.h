@@ -40,8 +40,13 @@ struct BeamMarks {
 /// The planes that a tile may have.
 inline constexpr int kMostBeamPlanes = 64;
 
+/// Marks lie anywhere in memory: asked for so many ahead of those that are drawn.
+inline constexpr std::size_t kMarksAhead = 8;
+void prefetch_mark(const BeamMarks& marks, std::size_t number, std::size_t planes);
+
 /// Adds the marks numbered order[0], order[1] ... to the tile: to each plane by their weight times
 /// what stroke_share() says, or their spots.
+/// @param order the first kMarksAhead are prefetched
 void draw_marks(const BeamMarks& marks, std::span<const std::uint32_t> order, const BeamTile& tile);
 
 }  // namespace kinescope
