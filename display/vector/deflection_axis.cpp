@@ -11,6 +11,8 @@ namespace {
 constexpr double kEver = std::numeric_limits<double>::infinity();
 /// What a stage makes up for within a tenth of a nanosecond counts as caught up.
 constexpr double kCaughtUp = 1e-10;
+/// After so many time constants 4e-18 is left: less than rounding.
+constexpr double kSettledDecays = 40;
 
 }  // namespace
 
@@ -29,6 +31,9 @@ Settling::Settling(const DeflectionLaw& law) {
   w_ = 2 * std::numbers::pi * law.natural_hz();
   decay_ = law.damping * w_;
   lag_ = law.lag().count();
+  const double slowest =
+      law.damping > 1 ? decay_ - w_ * std::sqrt(law.damping * law.damping - 1) : decay_;
+  settled_time_ = kSettledDecays / std::max(slowest, 1e-30);
   short_time_ = 2 / (w_ * std::max(1.0, 2 * law.damping));
   most_acceleration_ = w_ * std::sqrt(1 + 4 * law.damping * law.damping);
   series_[1] = 1;
@@ -39,7 +44,6 @@ Settling::Settling(const DeflectionLaw& law) {
 }
 
 Settling::Step Settling::closed_step(double t) const {
-  if (w_ == 0) return {0, 0};
   // exp(-decay t) times cos(k t) and sin(k t) / k, of whatever kind k is.
   const double k2 = w_ * w_ - decay_ * decay_, k = std::sqrt(std::abs(k2));
   double c, s;
@@ -69,7 +73,8 @@ std::array<Settling::Step, Settling::kSteps> Settling::short_steps(
     const std::array<double, kSteps>& times) const {
   std::array<double, kSteps> x, answer{}, speed{};
   for (std::size_t i = 0; i < kSteps; ++i) x[i] = w_ * times[i];
-  for (std::size_t n = kTerms; n-- > 0;) {
+  const double longest = *std::max_element(times.begin(), times.end());
+  for (std::size_t n = longest > 0.7 * short_time_ ? kTerms : kFewTerms; n-- > 0;) {
     for (std::size_t i = 0; i < kSteps; ++i) {
       speed[i] = speed[i] * x[i] + answer[i];
       answer[i] = answer[i] * x[i] + series_[n];

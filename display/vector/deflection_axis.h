@@ -37,7 +37,10 @@ class Settling {
 
   explicit Settling(const DeflectionLaw& law);
 
-  Step step(double t) const { return t <= short_time_ ? short_step(t) : closed_step(t); }
+  Step step(double t) const {
+    if (t > settled_time_) return {0, 0};
+    return t <= short_time_ ? short_step(t) : closed_step(t);
+  }
   /// In closed form.
   Step closed_step(double t) const;
   /// By its Taylor series, without exp or sin, to 1e-8: up to short_time(), a few times shorter
@@ -65,9 +68,9 @@ class Settling {
   bool at_once() const { return w_ == 0; }
 
  private:
-  static constexpr std::size_t kTerms = 16;
-  double w_ = 0, decay_ = 0;  // 1/s
-  double lag_ = 0, short_time_ = 1e30, most_acceleration_ = 0;
+  static constexpr std::size_t kTerms = 16, kFewTerms = 13;  // as exact up to 0.7 of short_time()
+  double w_ = 0, decay_ = 0;                                 // 1/s
+  double lag_ = 0, short_time_ = 1e30, settled_time_ = 0, most_acceleration_ = 0;
   std::array<double, kTerms> series_{};  // of the answer times w, in powers of w t
 };
 

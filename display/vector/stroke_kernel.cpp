@@ -424,14 +424,19 @@ namespace kinescope {
 HWY_EXPORT(DrawMarks);
 
 void prefetch_mark(const BeamMarks& marks, std::size_t number, std::size_t planes) {
+  const auto fetch = [](const auto* first, std::size_t count) {
+    const auto* const bytes = reinterpret_cast<const std::byte*>(first);
+    const std::size_t size = count * sizeof(*first);
+    for (std::size_t at = 0; at < size; at += 64) hwy::Prefetch(bytes + at);
+    hwy::Prefetch(bytes + size - 1);
+  };
   if (number < marks.strokes.size()) {
-    hwy::Prefetch(&marks.strokes[number]);
-    hwy::Prefetch(&marks.stroke_weights[number * planes]);
+    fetch(&marks.strokes[number], 1);
+    fetch(&marks.stroke_weights[number * planes], planes);
   } else {
     const std::size_t i = number - marks.strokes.size();
-    hwy::Prefetch(&marks.spots[i]);
-    hwy::Prefetch(&marks.spots[i].share);
-    hwy::Prefetch(&marks.spot_weights[i * planes]);
+    fetch(&marks.spots[i], 1);
+    fetch(&marks.spot_weights[i * planes], planes);
   }
 }
 

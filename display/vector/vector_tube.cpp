@@ -19,7 +19,7 @@ constexpr double kPartsAPixel = 1;
 constexpr double kMostParts = 512;
 /// Spans whose pieces one worker makes at a time, and those that are drawn together: enough for
 /// every tile, few enough for the caches.
-constexpr std::size_t kChunkSpans = 4096, kBatchSpans = 8 * kChunkSpans;
+constexpr std::size_t kChunkSpans = 2048, kBatchSpans = 16 * kChunkSpans;
 /// Moves that are followed at a time.
 constexpr std::size_t kBatchMoves = 1 << 14;
 /// Light that no picture shows is dropped: thus a screen becomes dark, and its tiles cost nothing.
