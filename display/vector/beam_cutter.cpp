@@ -32,8 +32,9 @@ constexpr double kBendsLittle = 5e-3, kBends = 0.3;
 constexpr float kNoChange = 1e-6f;
 /// A rise is drawn by its rule if the beam goes no farther in it, and a fade in a time constant.
 constexpr double kRiseWay = 2, kFadeWay = 0.6;
-/// Until a fade's last spot.
+/// How long a fade is. Its last spots are faint but narrow: fewer would show.
 constexpr double kFadeTaus = 9;
+constexpr int kFadeSpots = 6;
 /// Pieces shorter than they might be by so much share their rule.
 constexpr double kShortPiece = 0.8;
 /// Pieces of so many to the screen's width share one width of the spot.
@@ -200,20 +201,17 @@ BeamCutter::Pulse BeamCutter::rise_pulse() const {
   return pulse;
 }
 
-/// Gauss's and Laguerre's rule (Abramowitz and Stegun, table 25.9) of four nodes, the last of which
-/// has next to no weight.
 BeamCutter::Pulse BeamCutter::fade_pulse() const {
-  constexpr std::array<double, 3> kTimes{0.322547690, 1.745761101, 4.536620297};
-  constexpr std::array<float, 3> kShares{0.603478923f, 0.357611343f, 0.038909734f};
   Pulse pulse;
   if (tau_ == 0) return pulse;
-  pulse.rule.length = kFadeTaus * tau_, pulse.rule.spots = 3;
-  for (std::size_t i = 0; i < 3; ++i) {
-    pulse.rule.time[i] = kTimes[i] * tau_;
-    pulse.rule.step[i] = settling_.short_step(pulse.rule.time[i]);
-    pulse.rule.share[i] = kShares[i];
-    pulse.grown[i] = static_cast<float>(grown(static_cast<float>(std::exp(-kTimes[i]))));
+  pulse.rule = rule_of(kFadeTaus * tau_, kFadeSpots);
+  float sum = 0;
+  for (std::size_t i = 0; i < kFadeSpots; ++i) {
+    const auto current = static_cast<float>(std::exp(-pulse.rule.time[i] / tau_));
+    sum += pulse.rule.share[i] *= current;
+    pulse.grown[i] = static_cast<float>(grown(current));
   }
+  for (float& share : pulse.rule.share) share /= sum;
   return pulse;
 }
 

@@ -43,7 +43,7 @@ class Settling {
   }
   /// In closed form.
   Step closed_step(double t) const;
-  /// By its Taylor series, without exp or sin, to 1e-8: up to short_time(), a few times shorter
+  /// By its Taylor series, without exp or sin, to 1e-7: up to short_time(), a few times shorter
   /// than an oscillation.
   Step short_step(double t) const;
   double short_time() const { return short_time_; }

@@ -245,16 +245,17 @@ HWY_INLINE auto next_lanes() {
   const auto next = hn::Add(lane_numbers(i), hn::Set(i, 1));
   return hn::IndicesFromVec(w, hn::Min(next, hn::Set(i, wide_lanes() - 1)));
 }
-HWY_INLINE int share_lanes() { return wide_lanes() - 1; }
+HWY_INLINE int share_lanes() { return std::max(1, wide_lanes() - 1); }
 /// Deviations a pixel.
 HWY_INLINE float scale_of(float sigma) { return 1 / std::max(sigma, kLeastSigma); }
 
-/// A spot's shares of as many pixels of an axis as share_lanes(), the last lane 0. Each is the
-/// difference of the distribution at its two edges, which are neighbouring lanes. @param scale
-/// deviations a pixel @param start of the first edge, deviations
+/// A spot's shares of as many pixels of an axis as share_lanes(), and 0. Each is the difference of
+/// the distribution at its two edges, which are neighbouring lanes. @param scale deviations a pixel
+/// @param start of the first edge, deviations
 HWY_INLINE Wide axis_shares(float start, float scale) {
   const Wide edges = hn::MulAdd(lane_numbers(w), wide(scale), wide(start));
   const Wide below = normal_below(w, edges);
+  if (wide_lanes() == 1) return hn::Sub(normal_below(w, wide(start + scale)), below);
   return hn::Sub(hn::TableLookupLanes(below, next_lanes()), below);
 }
 

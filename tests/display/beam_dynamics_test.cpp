@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -182,9 +183,17 @@ std::vector<BeamMove> figure() {
           move_of(42, 45, 15, 52, 18.2, 2, 0.4f)};
 }
 
-void expect_as_stepped(const VectorMachine& m) {
-  const Image<double> want = stepped_picture(m, figure(), 24);
-  const TiledLight got = picture_of(m, figure(), 24);
+/// As fast as a list is drawn: lines with a corner between, a short one, dark ways.
+std::vector<BeamMove> fast_figure() {
+  return {move_of(0, 0, 20, 20, 0, 3, 0),           move_of(20, 20, 45, 24, 3, 1.35),
+          move_of(45, 24, 22, 45, 4.35, 1.65),      move_of(22, 45, 42, 36, 6, 2.5, 0),
+          move_of(42, 36, 41, 39, 8.5, 0.17),       move_of(41, 39, 12, 20, 8.67, 2.8, 0),
+          move_of(12, 20, 12, 52, 11.47, 1.7, 0.4f)};
+}
+
+void expect_as_stepped(const VectorMachine& m, const std::vector<BeamMove>& moves = figure()) {
+  const Image<double> want = stepped_picture(m, moves, 24);
+  const TiledLight got = picture_of(m, moves, 24);
   double most = 0, worst = 0;
   for (const double v : want.pixels()) most = std::max(most, v);
   for (int y = 0; y < want.height(); ++y) {
@@ -209,6 +218,35 @@ TEST(BeamDynamics, DrawsWhatTheLawDoesInSmallSteps) {
   m.spot_growth = 0.33;
   m.intensity_mhz = 0;
   expect_as_stepped(m);
+}
+
+TEST(BeamDynamics, DrawsAListsVectorsAsTheLawDoesInSmallSteps) {
+  VectorMachine m = find_vector_machine("generic");
+  m.width = m.height = 64;
+  m.screen_mm = 64;
+  m.spot_sigma_mm = 1;
+  m.slew_mm_us = 60;
+  expect_as_stepped(m, fast_figure());
+  m.spot_growth = 0;
+  expect_as_stepped(m, fast_figure());
+}
+
+/// The fast way of letting a transient settle, and the closed form.
+TEST(BeamDynamics, ShortStepsAreTheClosedForm) {
+  for (const double damping : {0.0, 0.3, 0.7, 1.0, 1.8}) {
+    const Settling law(DeflectionLaw{700, damping, 0});
+    const double tick = law.short_time() / 7;
+    std::array<double, Settling::kSteps> times;
+    for (std::size_t i = 0; i < times.size(); ++i) times[i] = static_cast<double>(i) * tick;
+    const auto together = law.short_steps(times);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const Settling::Step want = law.closed_step(times[i]), got = law.short_step(times[i]);
+      EXPECT_NEAR(got.answer, want.answer, 1e-7 * tick) << damping << " " << i;
+      EXPECT_NEAR(got.speed, want.speed, 1e-7) << damping << " " << i;
+      EXPECT_NEAR(together[i].answer, want.answer, 1e-7 * tick) << damping << " " << i;
+      EXPECT_NEAR(together[i].speed, want.speed, 1e-7) << damping << " " << i;
+    }
+  }
 }
 
 TEST(BeamDynamics, KeepsEveryBitOfEnergyAtAnyResolution) {
