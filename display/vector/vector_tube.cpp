@@ -55,23 +55,29 @@ bool VectorTube::dark() const {
   return black_ && lasting_.empty() && dynamics_.rests() && all_unlit();
 }
 
-/// Gathers the light that what is there gives in the window, and lets it decay.
-void VectorTube::fade(Seconds length, Workers& workers) {
-  workers.run(light_.tiles(), [&](int tile, int) {
-    if (!light_.lit(tile)) return;
-    bool any = false;
-    for (const LightLayer& layer : dose_light_.layers()) {
-      float* const sum = light_.plane(tile, layer.first_plane);
+/// Gathers the light that what is there gives in the window, lets it decay, and adds what each
+/// cycle does.
+void VectorTube::fade(int tile, Seconds length) {
+  const bool cycles = has_cycle_ && cycle_.lit(tile);
+  if (!light_.lit(tile) && !cycles) return;
+  bool any = cycles;
+  const auto more = [&](int plane) { return cycles ? cycle_.plane(tile, plane) : nullptr; };
+  for (const LightLayer& layer : dose_light_.layers()) {
+    int plane = layer.first_plane;
+    float* const sum = light_.plane(tile, plane);
+    if (cycles) {
+      std::copy_n(more(plane), kBeamTilePlane, sum);
+    } else {
       std::fill_n(sum, kBeamTilePlane, 0.0f);
-      int plane = layer.first_plane;
-      for (const DecayTerm& term : layer.phosphor.terms) {
-        const Decayed after = decayed(length.count(), term.tau.count());
-        any |= fade_light(sum, light_.plane(tile, ++plane), static_cast<float>(after.lost),
-                          static_cast<float>(after.left), kUnseen, kBeamTilePlane);
-      }
     }
-    light_.set_lit(tile, any);
-  });
+    for (const DecayTerm& term : layer.phosphor.terms) {
+      const Decayed after = decayed(length.count(), term.tau.count());
+      float* const held = light_.plane(tile, ++plane);
+      any |= fade_light(sum, held, more(plane), static_cast<float>(after.lost),
+                        static_cast<float>(after.left), kUnseen, kBeamTilePlane);
+    }
+  }
+  light_.set_lit(tile, any);
 }
 
 /// The share of each gun.
@@ -153,25 +159,23 @@ void VectorTube::add_marks(const BeamSpan& span, Seconds until, std::vector<Beam
   }
 }
 
-void VectorTube::compose(Workers& workers) {
-  workers.run(light_.tiles(), [&](int number, int) {
-    const BeamTile tile = light_.tile(number);
-    const int right = std::min(tile.x + kBeamTile, picture_.width());
-    const int bottom = std::min(tile.y + kBeamTile, picture_.height());
-    for (int y = tile.y; y < bottom; ++y) {
-      LinearRgb* const row = picture_.row(y);
-      std::fill(row + tile.x, row + right, LinearRgb{});
-      for (const LightLayer& layer : dose_light_.layers()) {
-        if (!light_.lit(number)) break;
-        const float* light = light_.plane(number, layer.first_plane) + (y - tile.y) * kBeamTile;
-        for (int x = tile.x; x < right; ++x, ++light) {
-          row[x].r += *light * layer.colour[0];
-          row[x].g += *light * layer.colour[1];
-          row[x].b += *light * layer.colour[2];
-        }
+void VectorTube::compose(int number) {
+  const BeamTile tile = light_.tile(number);
+  const int right = std::min(tile.x + kBeamTile, picture_.width());
+  const int bottom = std::min(tile.y + kBeamTile, picture_.height());
+  for (int y = tile.y; y < bottom; ++y) {
+    LinearRgb* const row = picture_.row(y);
+    std::fill(row + tile.x, row + right, LinearRgb{});
+    for (const LightLayer& layer : dose_light_.layers()) {
+      if (!light_.lit(number)) break;
+      const float* light = light_.plane(number, layer.first_plane) + (y - tile.y) * kBeamTile;
+      for (int x = tile.x; x < right; ++x, ++light) {
+        row[x].r += *light * layer.colour[0];
+        row[x].g += *light * layer.colour[1];
+        row[x].b += *light * layer.colour[2];
       }
     }
-  });
+  }
 }
 
 bool VectorTube::carries_since(Seconds time) const {
@@ -233,14 +237,6 @@ void VectorTube::draw_cycle(std::span<const BeamMove> moves, Seconds end, Worker
   has_cycle_ = draw_moves(moves, end, cycle_, workers);  // what only fades is no cycle
 }
 
-void VectorTube::add_cycle(Workers& workers) {
-  workers.run(light_.tiles(), [&](int tile, int) {
-    if (!cycle_.lit(tile)) return;
-    add_light(light_.plane(tile, 0), cycle_.plane(tile, 0), light_.planes() * kBeamTilePlane);
-    light_.set_lit(tile, true);
-  });
-}
-
 /// Until of what the slowest term held before the list was shown, a ten-millionth is left.
 int VectorTube::exposures_to_balance(Seconds length) const {
   constexpr double kDecays = 16;
@@ -265,21 +261,25 @@ const Image<LinearRgb>& VectorTube::expose(std::span<const BeamMove> moves, Seco
     now_ = end;
     return picture_;
   }
+  const bool idle = moves.empty() && lasting_.empty() && dynamics_.rests();
   const bool was_unlit = all_unlit();
-  if (!was_unlit) fade(length, workers);
-  bool drawn = has_cycle_;
-  if (!has_cycle_ && repeats >= kRepetitions) {
-    draw_cycle(moves, end, workers);
-    drawn = has_cycle_;
-  } else if (!has_cycle_) {
-    drawn = draw_moves(moves, end, light_, workers);
+  const bool draws_cycle = !has_cycle_ && !idle && repeats >= kRepetitions;
+  if (draws_cycle) draw_cycle(moves, end, workers);
+  const bool drawn_anew = !has_cycle_ && !draws_cycle;
+  bool nothing = !has_cycle_ && was_unlit;
+  if (drawn_anew) {
+    workers.run(light_.tiles(), [&](int tile, int) { fade(tile, length); });
+    nothing = !draw_moves(moves, end, light_, workers) && was_unlit;
   }
-  if (has_cycle_) add_cycle(workers);
   now_ = end;
-  const bool nothing = !drawn && was_unlit;
   changed_ = !nothing || !black_;
-  if (changed_) compose(workers);
   black_ = nothing;
+  if (!changed_) return picture_;
+  // A tile's planes stay in the cache for all that is done with them.
+  workers.run(light_.tiles(), [&](int tile, int) {
+    if (!drawn_anew) fade(tile, length);
+    compose(tile);
+  });
   return picture_;
 }
 

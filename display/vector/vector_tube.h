@@ -39,7 +39,7 @@ class VectorTube {
 
  private:
   bool all_unlit() const;
-  void fade(Seconds length, Workers& workers);
+  void fade(int tile, Seconds length);
   void add_marks(const BeamSpan& span, Seconds until, std::vector<BeamPiece>& pieces,
                  BeamMarks& marks) const;
   void add_even(const BeamSpan& span, const BeamPiece& piece, Seconds until,
@@ -48,12 +48,11 @@ class VectorTube {
                  BeamMarks& marks) const;
   std::array<float, 3> guns_of(const BeamSpan& span) const;
   double dose_of(double seconds, float current) const;
-  void compose(Workers& workers);
+  void compose(int tile);
   bool draw_spans(Seconds until, TiledLight& light, Workers& workers);
   bool draw_moves(std::span<const BeamMove> moves, Seconds end, TiledLight& light,
                   Workers& workers);
   void draw_cycle(std::span<const BeamMove> moves, Seconds end, Workers& workers);
-  void add_cycle(Workers& workers);
   void repeat(Seconds length);
   bool carries_since(Seconds time) const;
   int exposures_to_balance(Seconds length) const;
