@@ -37,6 +37,8 @@ constexpr double kFadeTaus = 9;
 constexpr int kFadeSpots = 6;
 /// Pieces shorter than they might be by so much share their rule.
 constexpr double kShortPiece = 0.8;
+/// Of a piece: what is shorter is no piece.
+constexpr double kSliver = 1e-6;
 /// Pieces of so many to the screen's width share one width of the spot.
 constexpr double kPiecesAcross = 32;
 /// Fainter beams grow no sharper.
@@ -295,51 +297,66 @@ BeamPiece BeamCutter::pulse_piece(const BeamSpan& span, const State& from, const
   return piece;
 }
 
+void BeamCutter::add_pulse(const BeamSpan& span, const Pulse& pulse, const Full& full, double to,
+                           State& state, std::vector<BeamPiece>& pieces) const {
+  BeamPiece piece = pulse_piece(span, state, pulse, full);
+  if (&pulse == &fade_) {
+    // All that is left of it.
+    piece.to = to;
+    piece.current = mean_current(span, state, {to, {}, {}, 0});
+    state.t = to;
+  } else {
+    state = carried_on(span, state, pulse.rule.length, pulse.rule.whole);
+  }
+  pieces.push_back(piece);
+}
+
+void BeamCutter::add_even(const BeamSpan& span, double length, double to, State& state,
+                          std::vector<BeamPiece>& pieces) const {
+  State after = carried_on(span, state, length, settling_.step(length));
+  if (to - after.t < kSliver * length) after.t = to;
+  pieces.push_back(even_piece(span, state, after));
+  state = after;
+}
+
+/// As long as the last piece if that may be, or a whole share of what is left.
+void BeamCutter::add_spots(const BeamSpan& span, const Full& full, double turns, double to,
+                           State& state, Rule& rule, std::vector<BeamPiece>& pieces) const {
+  const double left = to - state.t, lacks = tau_ > 0 ? change(span, state, full) : 0;
+  Reached most = spots_length(span, state, full, left);
+  most.length = std::max(most.length, kSliver * left);  // however fast: time must go on
+  const bool again = rule.length <= (1 + kSliver) * most.length &&
+                     rule.length >= kShortPiece * most.length && left >= 2 * rule.length;
+  const double length = again ? rule.length : left / std::ceil(left / most.length - kSliver);
+  const int spots = spots_for(most.way * length / most.length, turns, lacks, length, full);
+  if (spots != rule.spots || std::abs(length - rule.length) > kSliver * length) {
+    rule = rule_of(length, spots);
+  }
+  State after = carried_on(span, state, rule.length, rule.whole);
+  if (to - after.t < kSliver * length) after.t = to;
+  pieces.push_back(spots_piece(span, state, after, rule, full));
+  state = after;
+}
+
 void BeamCutter::cut(const BeamSpan& span, double from, double to,
                      std::vector<BeamPiece>& pieces) const {
   State state = at(span, from);
   const Full full = full_of(span);
   Rule rule;
-  const double sliver = 1e-6 * (to - from);
   while (state.t < to) {
     const double left = to - state.t;
     if (const Pulse* const pulse = pulse_at(span, state, full, left)) {
-      pieces.push_back(pulse_piece(span, state, *pulse, full));
-      if (pulse == &fade_) {
-        // All that is left of it.
-        pieces.back().to = to;
-        pieces.back().current = mean_current(span, state, {to, {}, {}, 0});
-        return;
-      }
-      state = carried_on(span, state, pulse->rule.length, pulse->rule.whole);
+      add_pulse(span, *pulse, full, to, state, pieces);
       continue;
     }
     const double turns = settling_.most_acceleration(state.x, state.y);
     const double even = even_length(span, state, full, turns);
     const double speed = length_of(span.x.speed + state.x.speed, span.y.speed + state.y.speed);
     if (even >= left || even * speed >= kLeastEvenWay * full.sigma) {
-      const double length = std::min(even, left);
-      State after = carried_on(span, state, length, settling_.step(length));
-      if (to - after.t < sliver) after.t = to;
-      pieces.push_back(even_piece(span, state, after));
-      state = after;
-      continue;
+      add_even(span, std::min(even, left), to, state, pieces);
+    } else {
+      add_spots(span, full, turns, to, state, rule, pieces);
     }
-    // As long as the last one if that may be, or a whole share of what is left.
-    const Reached most = spots_length(span, state, full, left);
-    const bool again = rule.length <= most.length + sliver &&
-                       rule.length >= kShortPiece * most.length && left >= 2 * rule.length;
-    const double length = again ? rule.length : left / std::ceil(left / most.length - 1e-6);
-    const double way = most.way * length / most.length;
-    const double lacks = tau_ > 0 ? change(span, state, full) : 0;
-    const int spots = spots_for(way, turns, lacks, length, full);
-    if (spots != rule.spots || std::abs(length - rule.length) > sliver) {
-      rule = rule_of(length, spots);
-    }
-    State after = carried_on(span, state, length, rule.whole);
-    if (to - after.t < sliver) after.t = to;
-    pieces.push_back(spots_piece(span, state, after, rule, full));
-    state = after;
   }
 }
 

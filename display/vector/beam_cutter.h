@@ -60,6 +60,13 @@ class BeamCutter {
   Full full_of(const BeamSpan& span) const;
   double even_length(const BeamSpan& span, const State& state, const Full& full,
                      double turns) const;
+  void add_even(const BeamSpan& span, double length, double to, State& state,
+                std::vector<BeamPiece>& pieces) const;
+  /// @param rule of the last piece, or of none; brought up to date
+  void add_spots(const BeamSpan& span, const Full& full, double turns, double to, State& state,
+                 Rule& rule, std::vector<BeamPiece>& pieces) const;
+  void add_pulse(const BeamSpan& span, const Pulse& pulse, const Full& full, double to,
+                 State& state, std::vector<BeamPiece>& pieces) const;
   /// How long a piece of spots is, and how far the beam goes in it, deviations.
   struct Reached {
     double length, way;
