@@ -94,8 +94,8 @@ struct VectorRequest {
   bool display_file = false;             ///< the input is a display processor's program
   bool model = false;                    ///< the input is a model; see also RenderOptions
   bool hidden_removed = false;           ///< of a model: only edges in sight
-  double crease_deg = 1;                 ///< of a model: edges that bend less are left out
-  Seconds turn{6};                       ///< so long a model takes to turn once; 0: it stands
+  std::optional<double> crease_deg;      ///< of a model: edges that bend less are left out
+  std::optional<Seconds> turn;           ///< so long a model takes to turn once; 0: it stands
   std::string machine = "generic";       ///< that runs display files
   std::string assemble, disassemble;     ///< a file to translate, or empty
   bool list_machines = false;

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "demos/commands/commands.h"
 #include "demos/console.h"
@@ -31,6 +33,10 @@
 
 namespace kinescope {
 namespace {
+
+/// Of a model, unless told.
+constexpr double kCreaseDegrees = 1;
+constexpr Seconds kTurn(6);
 
 /// Numbers as they are, the shortest that read back the same.
 void print_segments(const VectorDrawing& drawing) {
@@ -191,8 +197,29 @@ void finish(const Options& options, const Shown& shown, const std::string& stem)
   if (options.picture.output.empty()) print_remark("wrote " + output, options.common.quiet);
 }
 
+/// What is drawn or translated is no model, so that nothing heeds the options for one.
+/// @param name of the input
+void refuse_model_options(const Options& options, const std::string& name) {
+  const VectorRequest& v = options.vector;
+  const RenderOptions& r = options.render;
+  const std::array<std::pair<bool, const char*>, 9> given{
+      {{v.hidden_removed, "--hidden"},
+       {v.crease_deg.has_value(), "--crease"},
+       {v.turn.has_value(), "--turn"},
+       {r.azimuth_deg.has_value(), "--azimuth"},
+       {r.elevation_deg.has_value(), "--elevation"},
+       {r.fov_deg.has_value(), "--fov"},
+       {r.eye.has_value(), "--eye"},
+       {r.look.has_value(), "--look"},
+       {r.up.has_value(), "--up"}}};
+  for (const auto& [is_given, option] : given) {
+    if (is_given) throw Error(ErrorKind::kUsage, "is for models, and " + name + " is none", option);
+  }
+}
+
 /// Prints the terminal's name at once; then draws live, or until its last user has left.
 int run_terminal(const Options& options) {
+  refuse_model_options(options, "a terminal's picture");
   const auto terminal = std::make_shared<VectorTerminal>(options.vector.kind);
   if (!options.picture.output.empty()) check_picture(options, options.picture.output);
   print_result(terminal->name() + "\n");
@@ -238,11 +265,12 @@ WireRequest wire_request(const Options& options, const std::string& path) {
   wire.machine = find_vector_machine(options.vector.machine);
   const double aspect = static_cast<double>(wire.machine.width) / wire.machine.height;
   wire.style.hidden_removed = options.vector.hidden_removed;
-  wire.style.crease_rad = static_cast<float>(options.vector.crease_deg * std::numbers::pi / 180);
-  const bool turns =
-      (options.picture.frames || wants_window(options)) && options.vector.turn > Seconds(0);
+  wire.style.crease_rad = static_cast<float>(options.vector.crease_deg.value_or(kCreaseDegrees) *
+                                             std::numbers::pi / 180);
+  const Seconds turn = options.vector.turn.value_or(kTurn);
+  const bool turns = (options.picture.frames || wants_window(options)) && turn > Seconds(0);
   wire.model = std::make_shared<WireModel>(scene, model_camera(scene, render, aspect, turns));
-  if (turns) wire.turn_rad_per_s = 2 * std::numbers::pi / options.vector.turn.count();
+  if (turns) wire.turn_rad_per_s = 2 * std::numbers::pi / turn.count();
   return wire;
 }
 
@@ -267,6 +295,7 @@ bool is_display_file(const VectorRequest& request, InputFile& input) {
 DisplayFile file_to_translate(const Options& options, InputFile& input, bool to_words) {
   const VectorMachine& machine = find_vector_machine(options.vector.machine);
   if (!to_words || !is_model(options.vector, input)) {
+    refuse_model_options(options, input.name());
     return read_display_file(input, instruction_set(machine.words), to_words);
   }
   DisplayFile file;
@@ -311,7 +340,9 @@ Shown read_input(const Options& options) {
   Shown shown;
   shown.name = input.name();
   VectorDrawing drawing;
-  if (is_model(request, input)) {
+  const bool model = is_model(request, input);
+  if (!model) refuse_model_options(options, input.name());
+  if (model) {
     shown.wire = wire_request(options, request.input);
     drawing.size = {shown.wire->machine.width, shown.wire->machine.height};
     drawing.segments = strokes_of(options, *shown.wire);

@@ -37,7 +37,7 @@ void add_models(CLI::App& app, Options& options) {
       "leave out edges where a model's surface bends less, but for outlines; 0: none (default: 1)",
       [&](const std::string& text, const std::string& option) {
         request.crease_deg = parse_number(text, option);
-        if (request.crease_deg >= 0 && request.crease_deg <= 180) return;
+        if (*request.crease_deg >= 0 && *request.crease_deg <= 180) return;
         throw Error(ErrorKind::kUsage, text + " is not between 0 and 180", option);
       });
   add(app, "--turn", "SECONDS",

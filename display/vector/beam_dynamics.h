@@ -1,5 +1,5 @@
 // What a real beam makes of the moves that it is asked for: amplifiers that slew, settle and ring,
-// a current that rises and falls, a spot that grows with it and towards the edges.
+// a current that rises and falls.
 #pragma once
 
 #include <deque>
@@ -7,21 +7,22 @@
 #include <vector>
 
 #include "display/vector/beam_move.h"
+#include "display/vector/beam_span.h"
 #include "display/vector/deflection_axis.h"
 #include "display/vector/machine.h"
 
 namespace kinescope {
 
-/// Turns moves into even pieces, so short that the light they leave is the real motion's, whatever
+/// Turns moves into spans of time in which one law holds; BeamCutter tells their light, whatever
 /// the current's and the beam's speed: bright ends, round corners and overshoot follow from the
 /// law. The current comes later than its command by as much as the beam lags behind.
 class BeamDynamics {
  public:
   explicit BeamDynamics(const VectorMachine& machine);
 
-  /// Adds the lit pieces of [now, end).
+  /// Adds the lit spans of [now, end); where nothing limits the beam, each move whole.
   /// @param moves those that begin before `end` and were not yet given, in order of time
-  void follow(std::span<const BeamMove> moves, Seconds end, std::vector<BeamMove>& pieces);
+  void follow(std::span<const BeamMove> moves, Seconds end, std::vector<BeamSpan>& spans);
 
   /// Lets the time pass in which everything happens as it did in a time as long before.
   void repeat(Seconds length);
@@ -30,26 +31,24 @@ class BeamDynamics {
 
   Seconds now() const { return now_; }
   /// Where the beam is now, device units.
-  double x() const { return x_.place(0); }
-  double y() const { return y_.place(0); }
+  double x() const { return place_of(x_); }
+  double y() const { return place_of(y_); }
   /// Nothing that was given lies ahead.
   bool rests() const { return commands_.empty() && currents_.empty() && current_ == 0; }
 
  private:
-  void take_command(Seconds& until);
+  void take_command();
   float take_current(Seconds& until);
-  void add_pieces(double length, float aim, std::vector<BeamMove>& pieces);
-  double piece_length(double t, double sigma, float aim) const;
-  float current_after(double t, float aim) const;
-  float mean_current(double from, double to, float aim) const;
-  float spread_at(double x, double y, float current) const;
+  void add_span(Seconds end, float aim, std::vector<BeamSpan>& spans) const;
+  double place_of(const DeflectionAxis& axis) const;
 
   bool ideal_;
-  double width_, height_, sigma_;  // device units
-  double growth_, edge_spread_, current_tau_;
+  double current_tau_;
+  Settling settling_;
   Seconds lag_;
   Seconds now_{0};
   DeflectionAxis x_, y_;
+  Seconds axes_from_{0}, axes_until_{0};  // when their motion began, and until when it holds
   double rest_x_ = 0, rest_y_ = 0;
   float current_ = 0;
   BeamMove lit_;                   // whose current flows, or fades

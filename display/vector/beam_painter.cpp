@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::size_t kChunkStrokes = 4096;
 
-std::size_t chunks_of(std::size_t strokes) { return (strokes + kChunkStrokes - 1) / kChunkStrokes; }
-
 float reach_of(const BeamStroke& s) {
   constexpr float kHalfPixel = 0.5f;
   const float sigma = stroke_law::drawn_sigma(s);
@@ -55,102 +53,134 @@ double clip_stroke(BeamStroke& s, float width, float height) {
   return dx == 0 && dy == 0 ? 1 : to - from;
 }
 
-}  // namespace
-
-/// Strokes that leave the surroundings are cut, in copies: single precision ends somewhere.
-void BeamPainter::clip(std::span<const BeamStroke> strokes, std::span<const float> weights,
-                       const TiledLight& light) {
+/// Strokes that leave the surroundings are cut: single precision ends somewhere.
+void keep_near(BeamMarks& marks, const TiledLight& light) {
   const auto width = static_cast<float>(light.width()), height = static_cast<float>(light.height());
-  strokes_ = strokes;
-  weights_ = weights;
-  far_.clear();
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    if (!stays_near(strokes[i], width, height)) far_.push_back(static_cast<std::uint32_t>(i));
-  }
-  if (far_.empty()) return;
-  clipped_.assign(strokes.begin(), strokes.end());
-  clipped_weights_.assign(weights.begin(), weights.end());
   const auto planes = static_cast<std::size_t>(light.planes());
-  for (const std::uint32_t i : far_) {
-    BeamStroke& s = clipped_[i];
+  for (std::size_t i = 0; i < marks.strokes.size(); ++i) {
+    BeamStroke& s = marks.strokes[i];
+    if (stays_near(s, width, height)) continue;
     const bool finite = std::isfinite(s.x0) && std::isfinite(s.y0) && std::isfinite(s.x1) &&
                         std::isfinite(s.y1) && std::isfinite(s.sigma);
     const double left = finite ? clip_stroke(s, width, height) : 0;
     if (!(left > 0)) s = {-1e4f, -1e4f, -1e4f, -1e4f, 1};  // where no tile is
     for (std::size_t p = 0; p < planes; ++p) {
-      clipped_weights_[i * planes + p] *= static_cast<float>(left);
+      marks.stroke_weights[i * planes + p] *= static_cast<float>(left);
     }
   }
-  strokes_ = clipped_;
-  weights_ = clipped_weights_;
 }
 
-// A counting sort in two passes over chunks of strokes: a chunk's strokes have a place of their own
-// in each tile, so that the order is kept whoever does the work.
-void BeamPainter::sort(const TiledLight& light, Workers& workers) {
-  const std::size_t chunks = chunks_of(strokes_.size());
-  const auto tiles = static_cast<std::size_t>(light.tiles());
+/// What a mark reaches, pixels; nothing of what is not finite.
+struct Reach {
+  float left, top, right, bottom;
+};
+
+Reach reach_of_stroke(const BeamStroke& s) {
+  const float reach = reach_of(s);
+  return {std::min(s.x0, s.x1) - reach, std::min(s.y0, s.y1) - reach, std::max(s.x0, s.x1) + reach,
+          std::max(s.y0, s.y1) + reach};
+}
+
+Reach reach_of_spots(const BeamSpots& s) {
+  float left = s.x[0], right = left, top = s.y[0], bottom = top, sigma = kLeastSigma, sum = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i) {
+    left = std::min(left, s.x[i]), right = std::max(right, s.x[i]);
+    top = std::min(top, s.y[i]), bottom = std::max(bottom, s.y[i]);
+    sigma = std::max(sigma, s.sigma[i]);
+    sum += s.x[i] + s.y[i] + s.sigma[i];
+  }
+  const float reach = kSpotReach * sigma;
+  return std::isfinite(sum) ? Reach{left - reach, top - reach, right + reach, bottom + reach}
+                            : Reach{0, 0, -1e30f, -1e30f};
+}
+
+/// The tile that holds a place, of -1 before the first to `count` behind the last.
+int tile_of(float v, int count) {
+  const float at = (v + kBeamTile) * (1.0f / kBeamTile);
+  return static_cast<int>(std::clamp(at, 0.0f, static_cast<float>(count + 1))) - 1;
+}
+
+}  // namespace
+
+/// A counting sort by tile, the marks of each in their order.
+void BeamPainter::sort(BeamMarks& marks, const TiledLight& light, Chunk& chunk) {
+  keep_near(marks, light);
   const auto columns = static_cast<std::size_t>(light.columns());
-  boxes_.resize(strokes_.size());
-  starts_.assign(tiles * chunks + 1, 0);
-  const auto for_chunk = [&](int chunk, const auto& visit) {
-    const std::size_t begin = static_cast<std::size_t>(chunk) * kChunkStrokes;
-    for (std::size_t i = begin; i < std::min(begin + kChunkStrokes, strokes_.size()); ++i) visit(i);
-  };
-  const auto for_tiles = [&](std::size_t stroke, const auto& visit) {
-    const Tiles& box = boxes_[stroke];
+  chunk.boxes.resize(marks.size());
+  chunk.starts.assign(static_cast<std::size_t>(light.tiles()) + 2, 0);
+  const auto for_tiles = [&](const Tiles& box, const auto& visit) {
     for (std::size_t y = box.top; y < box.bottom; ++y) {
       for (std::size_t x = box.left; x < box.right; ++x) visit(y * columns + x);
     }
   };
-  const auto begin_tile = [](float v, int count) {
-    return static_cast<std::uint16_t>(
-        std::clamp(std::floor(v / kBeamTile), 0.0f, static_cast<float>(count)));
-  };
-  const auto end_tile = [](float v, int count) {
-    return static_cast<std::uint16_t>(
-        std::clamp(std::floor(v / kBeamTile) + 1, 0.0f, static_cast<float>(count)));
-  };
-  workers.run(static_cast<int>(chunks), [&](int chunk, int) {
-    for_chunk(chunk, [&](std::size_t i) {
-      const BeamStroke& s = strokes_[i];
-      const float reach = reach_of(s);
-      boxes_[i] = {begin_tile(std::min(s.x0, s.x1) - reach, light.columns()),
-                   begin_tile(std::min(s.y0, s.y1) - reach, light.rows()),
-                   end_tile(std::max(s.x0, s.x1) + reach, light.columns()),
-                   end_tile(std::max(s.y0, s.y1) + reach, light.rows())};
-      for_tiles(i, [&](std::size_t tile) {
-        ++starts_[tile * chunks + static_cast<std::size_t>(chunk) + 1];
-      });
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const Reach r = i < marks.strokes.size()
+                        ? reach_of_stroke(marks.strokes[i])
+                        : reach_of_spots(marks.spots[i - marks.strokes.size()]);
+    chunk.boxes[i] = {
+        static_cast<std::uint16_t>(std::max(0, tile_of(r.left, light.columns()))),
+        static_cast<std::uint16_t>(std::max(0, tile_of(r.top, light.rows()))),
+        static_cast<std::uint16_t>(
+            std::min(tile_of(r.right, light.columns()) + 1, light.columns())),
+        static_cast<std::uint16_t>(std::min(tile_of(r.bottom, light.rows()) + 1, light.rows()))};
+    for_tiles(chunk.boxes[i], [&](std::size_t tile) { ++chunk.starts[tile + 2]; });
+  }
+  for (std::size_t i = 1; i < chunk.starts.size(); ++i) chunk.starts[i] += chunk.starts[i - 1];
+  chunk.order.resize(chunk.starts.back());
+  // Each tile's start becomes its end, which is the start of the next.
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    for_tiles(chunk.boxes[i], [&](std::size_t tile) {
+      chunk.order[chunk.starts[tile + 1]++] = static_cast<std::uint32_t>(i);
     });
+  }
+}
+
+void BeamPainter::draw(std::span<BeamMarks> chunks, TiledLight& light, Workers& workers) {
+  assert(light.planes() <= kMostBeamPlanes);
+  if (light.tiles() == 0) return;
+  if (chunks_.size() < chunks.size()) chunks_.resize(chunks.size());
+  workers.run(static_cast<int>(chunks.size()), [&](int number, int) {
+    const auto i = static_cast<std::size_t>(number);
+    sort(chunks[i], light, chunks_[i]);
   });
-  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-  order_.resize(starts_.back());
-  workers.run(static_cast<int>(chunks), [&](int chunk, int) {
-    std::vector<std::uint32_t> next(tiles);
-    for (std::size_t tile = 0; tile < tiles; ++tile) {
-      next[tile] = starts_[tile * chunks + static_cast<std::size_t>(chunk)];
+  const auto planes = static_cast<std::size_t>(light.planes());
+  const auto order_of = [&](std::size_t chunk, int tile) {
+    const Chunk& c = chunks_[chunk];
+    const std::size_t begin = c.starts[static_cast<std::size_t>(tile)];
+    return std::span(c.order).subspan(begin, c.starts[static_cast<std::size_t>(tile) + 1] - begin);
+  };
+  workers.run(light.tiles(), [&](int tile, int) {
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+      if (i + 1 < chunks.size()) {
+        const auto next = order_of(i + 1, tile);
+        for (const auto mark : next.first(std::min(next.size(), kMarksAhead))) {
+          prefetch_mark(chunks[i + 1], mark, planes);
+        }
+      }
+      const auto order = order_of(i, tile);
+      if (order.empty()) continue;
+      light.set_lit(tile, true);
+      draw_marks(chunks[i], order, light.tile(tile));
     }
-    for_chunk(chunk, [&](std::size_t i) {
-      for_tiles(i, [&](std::size_t tile) { order_[next[tile]++] = static_cast<std::uint32_t>(i); });
-    });
   });
 }
 
 void BeamPainter::draw(std::span<const BeamStroke> strokes, std::span<const float> weights,
                        TiledLight& light, Workers& workers) {
-  assert(weights.size() == strokes.size() * static_cast<std::size_t>(light.planes()));
-  if (strokes.empty() || light.tiles() == 0) return;
-  clip(strokes, weights, light);
-  sort(light, workers);
-  const std::size_t chunks = chunks_of(strokes.size());
-  workers.run(light.tiles(), [&](int tile, int) {
-    const std::size_t begin = starts_[static_cast<std::size_t>(tile) * chunks];
-    const std::size_t end = starts_[static_cast<std::size_t>(tile + 1) * chunks];
-    if (begin == end) return;
-    light.set_lit(tile, true);
-    draw_strokes(strokes_, weights_.data(), {order_.data() + begin, end - begin}, light.tile(tile));
+  const auto planes = static_cast<std::size_t>(light.planes());
+  assert(weights.size() == strokes.size() * planes);
+  const std::size_t chunks = (strokes.size() + kChunkStrokes - 1) / kChunkStrokes;
+  if (plain_.size() < chunks) plain_.resize(chunks);
+  workers.run(static_cast<int>(chunks), [&](int number, int) {
+    const std::size_t first = static_cast<std::size_t>(number) * kChunkStrokes;
+    const std::size_t count = std::min(kChunkStrokes, strokes.size() - first);
+    const auto some = strokes.subspan(first, count);
+    const auto their_weights = weights.subspan(first * planes, count * planes);
+    BeamMarks& marks = plain_[static_cast<std::size_t>(number)];
+    marks.strokes.assign(some.begin(), some.end());
+    marks.stroke_weights.assign(their_weights.begin(), their_weights.end());
   });
+  draw(std::span(plain_).first(chunks), light, workers);
 }
 
 }  // namespace kinescope

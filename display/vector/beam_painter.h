@@ -1,4 +1,4 @@
-// Many strokes of the beam onto a picture, on all workers.
+// Many strokes and spots of the beam onto a picture, on all workers.
 #pragma once
 
 #include <cstdint>
@@ -11,32 +11,33 @@
 
 namespace kinescope {
 
-/// Adds strokes in the order given: the light is the same for any number of workers. Keeps its
+/// Adds marks in the order given: the light is the same for any number of workers. Keeps its
 /// memory from call to call.
 class BeamPainter {
  public:
-  /// Strokes that are not finite are left out; what lies outside the picture is clipped, its light
-  /// lost as it is beside a screen.
+  /// Chunks of marks, each of at most kChunkMarks. Those that are not finite are left out; what
+  /// lies outside the picture is clipped, in place, its light lost as it is beside a screen.
+  void draw(std::span<BeamMarks> chunks, TiledLight& light, Workers& workers);
+  /// The same of plain strokes.
   /// @param weights for each stroke one for each plane of `light`
   void draw(std::span<const BeamStroke> strokes, std::span<const float> weights, TiledLight& light,
             Workers& workers);
+
+  static constexpr std::size_t kChunkMarks = 1 << 20;
 
  private:
   struct Tiles {
     std::uint16_t left, top, right, bottom;  // right and bottom are not within
   };
-  void clip(std::span<const BeamStroke> strokes, std::span<const float> weights,
-            const TiledLight& light);
-  void sort(const TiledLight& light, Workers& workers);
+  struct Chunk {
+    std::vector<Tiles> boxes;           // of each mark
+    std::vector<std::uint32_t> starts;  // of each tile in the order
+    std::vector<std::uint32_t> order;   // marks' numbers, tile by tile
+  };
+  static void sort(BeamMarks& marks, const TiledLight& light, Chunk& chunk);
 
-  std::vector<BeamStroke> clipped_;
-  std::vector<float> clipped_weights_;
-  std::vector<std::uint32_t> far_;  // strokes that leave the picture's surroundings
-  std::span<const BeamStroke> strokes_;
-  std::span<const float> weights_;
-  std::vector<Tiles> boxes_;
-  std::vector<std::uint32_t> starts_;  // of each tile, and of each chunk of strokes in it
-  std::vector<std::uint32_t> order_;   // strokes' numbers, tile by tile
+  std::vector<BeamMarks> plain_;  // chunks of strokes
+  std::vector<Chunk> chunks_;
 };
 
 }  // namespace kinescope

@@ -2,6 +2,8 @@
 // Gaussian spot, over the area of each pixel.
 #pragma once
 
+#include <array>
+
 namespace kinescope {
 
 /// A round Gaussian spot moving evenly from one place to another, pixels. Pixel (x, y) is
@@ -9,6 +11,14 @@ namespace kinescope {
 struct BeamStroke {
   float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   float sigma = 1;  ///< standard deviation; drawn as at least kLeastSigma
+};
+
+/// Spots at rest, pixels, whose sum stands for the light of a beam that speeds up, bends or changes
+/// its current: Gauss's rule over a time in which it goes a way of a few deviations.
+struct BeamSpots {
+  static constexpr int kMost = 6;
+  int count = 0;
+  std::array<float, kMost> x{}, y{}, sigma{}, share{};
 };
 
 /// A spot narrower than a tenth of a pixel looks like one of this width.

@@ -11,6 +11,8 @@ namespace {
 constexpr double kEver = std::numeric_limits<double>::infinity();
 /// What a stage makes up for within a tenth of a nanosecond counts as caught up.
 constexpr double kCaughtUp = 1e-10;
+/// After so many time constants 4e-18 is left: less than rounding.
+constexpr double kSettledDecays = 40;
 
 }  // namespace
 
@@ -24,37 +26,24 @@ Seconds DeflectionLaw::lag() const {
   return Seconds(2 * damping / (2 * std::numbers::pi * natural_hz()));
 }
 
-DeflectionAxis::DeflectionAxis(const DeflectionLaw& law, double at)
-    : damping_(law.damping),
-      slew_(law.slew_units_us > 0 ? law.slew_units_us * 1e6 : kEver),
-      stage_(at) {
-  if (law.bandwidth_khz > 0) w_ = 2 * std::numbers::pi * law.natural_hz();
-  decay_ = damping_ * w_;
+Settling::Settling(const DeflectionLaw& law) {
+  if (!(law.bandwidth_khz > 0)) return;
+  w_ = 2 * std::numbers::pi * law.natural_hz();
+  decay_ = law.damping * w_;
+  lag_ = law.lag().count();
+  const double slowest =
+      law.damping > 1 ? decay_ - w_ * std::sqrt(law.damping * law.damping - 1) : decay_;
+  settled_time_ = kSettledDecays / std::max(slowest, 1e-30);
+  short_time_ = 2 / (w_ * std::max(1.0, 2 * law.damping));
+  most_acceleration_ = w_ * std::sqrt(1 + 4 * law.damping * law.damping);
+  series_[1] = 1;
+  for (std::size_t n = 2; n < kTerms; ++n) {
+    const auto k = static_cast<double>(n);
+    series_[n] = (-2 * law.damping * (k - 1) * series_[n - 1] - series_[n - 2]) / (k * (k - 1));
+  }
 }
 
-Seconds DeflectionAxis::follow(const DeflectionCommand& command) {
-  const Motion now{place(0), speed(0)};
-  command_ = command;
-  double lasts = kEver;
-  const double behind = command.at - stage_;
-  if (slew_ == kEver || std::abs(behind) <= slew_ * kCaughtUp) {
-    stage_ = command.at;
-    stage_speed_ = std::clamp(command.speed, -slew_, slew_);
-  } else {
-    stage_speed_ = std::copysign(slew_, behind);
-    const double until = behind / (stage_speed_ - command.speed);
-    if (until > 0) lasts = until;
-  }
-  if (w_ > 0) {
-    y_ = now.place - (stage_ - 2 * damping_ / w_ * stage_speed_);
-    y_speed_ = now.speed - stage_speed_;
-  }
-  return Seconds(lasts);
-}
-
-/// What is left of an oscillation that fades.
-DeflectionAxis::Motion DeflectionAxis::transient(double t) const {
-  if (w_ == 0 || (y_ == 0 && y_speed_ == 0)) return {0, 0};
+Settling::Step Settling::closed_step(double t) const {
   // exp(-decay t) times cos(k t) and sin(k t) / k, of whatever kind k is.
   const double k2 = w_ * w_ - decay_ * decay_, k = std::sqrt(std::abs(k2));
   double c, s;
@@ -67,43 +56,80 @@ DeflectionAxis::Motion DeflectionAxis::transient(double t) const {
     const double slow = std::exp((k - decay_) * t), fast = std::exp((-k - decay_) * t);
     c = 0.5 * (slow + fast), s = 0.5 * (slow - fast) / k;
   }
-  return {y_ * c + (y_speed_ + decay_ * y_) * s,
-          y_speed_ * c - (w_ * w_ * y_ + decay_ * y_speed_) * s};
+  return {s, c - decay_ * s};
 }
 
-double DeflectionAxis::place(double t) const {
-  const double lag = w_ > 0 ? 2 * damping_ / w_ * stage_speed_ : 0;
-  return stage(t) - lag + transient(t).place;
+Settling::Step Settling::short_step(double t) const {
+  const double x = w_ * t;
+  double answer = 0, speed = 0;  // Horner's rule, and its derivative
+  for (std::size_t n = kTerms; n-- > 0;) {
+    speed = speed * x + answer;
+    answer = answer * x + series_[n];
+  }
+  return {w_ > 0 ? answer / w_ : 0, speed};
 }
 
-double DeflectionAxis::speed(double t) const { return stage_speed_ + transient(t).speed; }
-
-/// The oscillation's energy only falls; y'' = -2 decay y' - w^2 y.
-double DeflectionAxis::most_acceleration(double t) const {
-  const Motion y = transient(t);
-  return w_ * std::sqrt(1 + 4 * damping_ * damping_) * std::hypot(w_ * y.place, y.speed);
+std::array<Settling::Step, Settling::kSteps> Settling::short_steps(
+    const std::array<double, kSteps>& times) const {
+  std::array<double, kSteps> x, answer{}, speed{};
+  for (std::size_t i = 0; i < kSteps; ++i) x[i] = w_ * times[i];
+  const double longest = *std::max_element(times.begin(), times.end());
+  for (std::size_t n = longest > 0.7 * short_time_ ? kTerms : kFewTerms; n-- > 0;) {
+    for (std::size_t i = 0; i < kSteps; ++i) {
+      speed[i] = speed[i] * x[i] + answer[i];
+      answer[i] = answer[i] * x[i] + series_[n];
+    }
+  }
+  std::array<Step, kSteps> steps;
+  const double scale = w_ > 0 ? 1 / w_ : 0;
+  for (std::size_t i = 0; i < kSteps; ++i) steps[i] = {answer[i] * scale, speed[i]};
+  return steps;
 }
 
 /// The integral of the oscillation follows from its law.
-double DeflectionAxis::mean_place(double from, double to) const {
-  const double straight = 0.5 * (place(from) + place(to));
-  if (w_ == 0 || !(to > from)) return straight;
-  const Motion a = transient(from), b = transient(to);
-  const double sum = ((a.speed - b.speed) + 2 * decay_ * (a.place - b.place)) / (w_ * w_);
-  return straight - 0.5 * (a.place + b.place) + sum / (to - from);
+double Settling::mean_place(const Transient& from, const Transient& to, double time) const {
+  if (w_ == 0 || !(time > 0)) return 0;
+  return ((from.speed - to.speed) + 2 * decay_ * (from.place - to.place)) / (w_ * w_ * time);
 }
 
-void DeflectionAxis::advance(Seconds time) {
+/// The oscillation's energy only falls; y'' = -2 decay y' - w^2 y.
+double Settling::most_acceleration(const Transient& x, const Transient& y) const {
+  const double speed2 = x.speed * x.speed + y.speed * y.speed;
+  return most_acceleration_ * std::sqrt(w_ * w_ * (x.place * x.place + y.place * y.place) + speed2);
+}
+
+DeflectionAxis::DeflectionAxis(const DeflectionLaw& law)
+    : slew_(law.slew_units_us > 0 ? law.slew_units_us * 1e6 : kEver) {}
+
+Seconds DeflectionAxis::follow(const DeflectionCommand& command, const Settling& law) {
+  const double place = motion_.at + motion_.rest.place, speed = motion_.speed + motion_.rest.speed;
+  command_ = command;
+  double lasts = kEver;
+  const double behind = command.at - stage_;
+  if (slew_ == kEver || std::abs(behind) <= slew_ * kCaughtUp) {
+    stage_ = command.at;
+    motion_.speed = std::clamp(command.speed, -slew_, slew_);
+  } else {
+    motion_.speed = std::copysign(slew_, behind);
+    const double until = behind / (motion_.speed - command.speed);
+    if (until > 0) lasts = until;
+  }
+  motion_.at = stage_ - law.lag() * motion_.speed;
+  motion_.rest = law.at_once() ? Transient{} : Transient{place - motion_.at, speed - motion_.speed};
+  return Seconds(lasts);
+}
+
+void DeflectionAxis::advance(Seconds time, const Settling& law, const Settling::Step& step) {
   const double t = time.count();
-  const Motion y = transient(t);
-  y_ = y.place, y_speed_ = y.speed;
-  stage_ = stage(t);
+  motion_.rest = law.after(motion_.rest, step);
+  stage_ += motion_.speed * t;
   command_.at += command_.speed * t;
   // Caught up, to the last bit.
   if (std::abs(command_.at - stage_) <= slew_ * kCaughtUp && slew_ != kEver) {
-    y_ += stage_ - command_.at;
+    motion_.rest.place += stage_ - command_.at;
     stage_ = command_.at;
   }
+  motion_.at = stage_ - law.lag() * motion_.speed;
 }
 
 }  // namespace kinescope

@@ -3,6 +3,8 @@
 // amplifier's answer to each has a closed form.
 #pragma once
 
+#include <array>
+
 #include "raster/base/units.h"
 
 namespace kinescope {
@@ -19,41 +21,86 @@ struct DeflectionLaw {
   Seconds lag() const;
 };
 
+/// A motion that fades: the beam, less where it would be if it had settled. Units, units a second.
+struct Transient {
+  double place = 0, speed = 0;
+};
+
+/// How transients fade: y'' = -2 damping w y' - w^2 y, whatever kind its roots are.
+class Settling {
+ public:
+  /// What carries any transient on by one time: the law's answer to a kick of one unit a second,
+  /// and its speed.
+  struct Step {
+    double answer, speed;
+  };
+
+  explicit Settling(const DeflectionLaw& law);
+
+  Step step(double t) const {
+    if (t > settled_time_) return {0, 0};
+    return t <= short_time_ ? short_step(t) : closed_step(t);
+  }
+  /// In closed form.
+  Step closed_step(double t) const;
+  /// By its Taylor series, without exp or sin, to 1e-7: up to short_time(), a few times shorter
+  /// than an oscillation.
+  Step short_step(double t) const;
+  double short_time() const { return short_time_; }
+  /// Short steps of several times at once.
+  static constexpr std::size_t kSteps = 8;
+  std::array<Step, kSteps> short_steps(const std::array<double, kSteps>& times) const;
+  double place_after(const Transient& y, const Step& step) const {
+    return y.place * (step.speed + 2 * decay_ * step.answer) + y.speed * step.answer;
+  }
+  Transient after(const Transient& y, const Step& step) const {
+    return {place_after(y, step), y.speed * step.speed - w_ * w_ * y.place * step.answer};
+  }
+  /// The mean place of the time in which one transient became another.
+  double mean_place(const Transient& from, const Transient& to, double time) const;
+  /// A bound of the acceleration of both axes together from now on.
+  double most_acceleration(const Transient& x, const Transient& y) const;
+  double acceleration(const Transient& y) const {
+    return -2 * decay_ * y.speed - w_ * w_ * y.place;
+  }
+  /// Behind its command, of an even motion of one unit a second.
+  double lag() const { return lag_; }
+  bool at_once() const { return w_ == 0; }
+
+ private:
+  static constexpr std::size_t kTerms = 16, kFewTerms = 13;  // as exact up to 0.7 of short_time()
+  double w_ = 0, decay_ = 0;                                 // 1/s
+  double lag_ = 0, short_time_ = 1e30, settled_time_ = 0, most_acceleration_ = 0;
+  std::array<double, kTerms> series_{};  // of the answer times w, in powers of w t
+};
+
 /// A command that changes evenly from `at`, units, units a second.
 struct DeflectionCommand {
   double at = 0, speed = 0;
 };
 
+/// What an axis does from some time on: an even motion and what has not settled yet.
+struct AxisMotion {
+  double at = 0, speed = 0;
+  Transient rest;
+};
+
 class DeflectionAxis {
  public:
-  explicit DeflectionAxis(const DeflectionLaw& law, double at = 0);
+  explicit DeflectionAxis(const DeflectionLaw& law);
 
   /// Puts a command before the stage, from now on. @return for how long the stage's output is
   /// straight: then, or when the command changes, it must be put anew
-  Seconds follow(const DeflectionCommand& command);
-
-  /// After a time within what follow() told, seconds: the beam, its speed, and a bound of its
-  /// acceleration from then on.
-  double place(double t) const;
-  double speed(double t) const;
-  double most_acceleration(double t) const;
-  /// The mean place between two times.
-  double mean_place(double from, double to) const;
-
-  /// Lets the time pass.
-  void advance(Seconds time);
+  Seconds follow(const DeflectionCommand& command, const Settling& law);
+  /// From now on, as long as follow() told.
+  const AxisMotion& motion() const { return motion_; }
+  /// Lets time pass. @param step of that time
+  void advance(Seconds time, const Settling& law, const Settling::Step& step);
 
  private:
-  struct Motion {
-    double place, speed;
-  };
-  Motion transient(double t) const;
-  double stage(double t) const { return stage_ + stage_speed_ * t; }
-
-  double w_ = 0, decay_ = 0;  // 1/s
-  double damping_, slew_;     // units a second
-  double stage_, stage_speed_ = 0;
-  double y_ = 0, y_speed_ = 0;  // the beam less where it would be in the end
+  double slew_;  // units a second
+  double stage_ = 0;
+  AxisMotion motion_;
   DeflectionCommand command_;
 };
 

@@ -39,11 +39,11 @@ struct ProcessorState {
   float intensity = 1;
   std::array<float, 3> colour{1, 1, 1};
   bool blinks = false, pen_on = false;
-  int scale = 16;              ///< generic: sixteenths; DVG: the global scale
-  Address characters = 0;      ///< generic: where the table of characters lies
-  int character = 0;           ///< generic: which of a word's characters comes next
-  std::int64_t clock = 0;      ///< machine clocks since its beginning
-  std::int64_t last_sign = 0;  ///< when it last drew or waited
+  int scale = 16;                     ///< generic: sixteenths; DVG: the global scale
+  std::optional<Address> characters;  ///< generic: where the table of characters lies, if told
+  int character = 0;                  ///< generic: which of a word's characters comes next
+  std::int64_t clock = 0;             ///< machine clocks since its beginning
+  std::int64_t last_sign = 0;         ///< when it last drew or waited
 };
 
 /// What instruction sets work on.

@@ -176,12 +176,13 @@ class Beam {
 /// Calls the next of a word's three characters, and comes back to the same word for the others.
 void call_character(ProcessorCore& core, Word word, Address at) {
   ProcessorState& s = core.state();
+  if (!s.characters) return core.fault("chars before any table of characters");
   core.spend("chars");
   while (s.character < 3) {
     const auto code = static_cast<Address>(field(word, 16 - 8 * s.character, 8));
     ++s.character;
     if (code == 0) continue;
-    const std::optional<Word> target = core.read(s.characters + code);
+    const std::optional<Word> target = core.read(*s.characters + code);
     if (!target) return;
     return core.call(*target, at);
   }

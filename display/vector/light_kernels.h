@@ -3,11 +3,9 @@
 
 namespace kinescope {
 
-/// sum += held * lost; held *= left, where what is not above `unseen` becomes 0. @param floats a
-/// multiple of 16 @return whether any is left of either
-bool fade_light(float* sum, float* held, float lost, float left, float unseen, int floats);
-
-/// light += more.
-void add_light(float* light, const float* more, int floats);
+/// sum += held * lost; held *= left, where what is not above `unseen` becomes 0; held += more.
+/// @param more none: nothing @param floats a multiple of 16 @return whether any is left of either
+bool fade_light(float* sum, float* held, const float* more, float lost, float left, float unseen,
+                int floats);
 
 }  // namespace kinescope

@@ -38,21 +38,31 @@ HWY_INLINE Floats exp2_of(Floats x) {
   return hn::BitCast(d, hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(hn::BitCast(di, shifted))));
 }
 
+/// Spots are drawn by rows of up to sixteen pixels, which hold most of them.
+using W = hn::CappedTag<float, 16>;
+using Wide = hn::Vec<W>;
+constexpr W w;
+HWY_INLINE int wide_lanes() { return static_cast<int>(hn::Lanes(w)); }
+HWY_INLINE Wide wide(float v) { return hn::Set(w, v); }
+
 /// A normal distribution's share below z deviations, less a half; cut at kSpotReach and scaled to
 /// reach it: to 8e-6, by a Chebyshev series in z^2.
-HWY_INLINE Floats normal_below(Floats z) {
-  z = hn::Min(hn::Max(z, set(-kSpotReach)), set(kSpotReach));
-  const Floats q = hn::Mul(z, z);
-  Floats p = hn::MulAdd(set(9.56817037e-11f), q, set(-8.02693226e-09f));
-  p = hn::MulAdd(p, q, set(3.00281915e-07f));
-  p = hn::MulAdd(p, q, set(-6.72111987e-06f));
-  p = hn::MulAdd(p, q, set(0.00010251739f));
-  p = hn::MulAdd(p, q, set(-0.00115129315f));
-  p = hn::MulAdd(p, q, set(0.00992215142f));
-  p = hn::MulAdd(p, q, set(-0.0664651646f));
-  p = hn::MulAdd(p, q, set(0.398964777f));
+template <class D>
+HWY_INLINE hn::Vec<D> normal_below(D tag, hn::Vec<D> z) {
+  const auto number = [&](float v) { return hn::Set(tag, v); };
+  z = hn::Min(hn::Max(z, number(-kSpotReach)), number(kSpotReach));
+  const hn::Vec<D> q = hn::Mul(z, z);
+  hn::Vec<D> p = hn::MulAdd(number(9.56817037e-11f), q, number(-8.02693226e-09f));
+  p = hn::MulAdd(p, q, number(3.00281915e-07f));
+  p = hn::MulAdd(p, q, number(-6.72111987e-06f));
+  p = hn::MulAdd(p, q, number(0.00010251739f));
+  p = hn::MulAdd(p, q, number(-0.00115129315f));
+  p = hn::MulAdd(p, q, number(0.00992215142f));
+  p = hn::MulAdd(p, q, number(-0.0664651646f));
+  p = hn::MulAdd(p, q, number(0.398964777f));
   return hn::Mul(p, z);
 }
+HWY_INLINE Floats normal_below(Floats z) { return normal_below(d, z); }
 
 /// Rows [first, last) of a column of pixels.
 struct Rows {
@@ -73,20 +83,35 @@ struct Rows {
   HWY_INLINE int end() const { return static_cast<int>(std::max(last, 0.0f)); }
 };
 
-/// Where a tile's planes are, and what a stroke is worth on each.
+/// The planes that a mark leaves light on, and how much.
+struct LitPlanes {
+  std::size_t count = 0;
+  std::array<int, kMostBeamPlanes> offset;
+  std::array<float, kMostBeamPlanes> weight;
+
+  HWY_INLINE LitPlanes(const BeamTile& tile, const float* weights) {
+    for (int p = 0; p < tile.planes; ++p) {
+      offset[count] = p * kBeamTilePlane;
+      weight[count] = weights[p];
+      count += weights[p] != 0;
+    }
+  }
+};
+
+/// Where a mark's light goes.
 struct Target {
   BeamTile tile;
-  const float* weights;
-  Floats first_weight = set(weights[0]);
+  const LitPlanes& planes;
+  std::size_t count = planes.count;
+  float* first = tile.light + planes.offset[0];
+  Floats first_weight = set(planes.weight[0]);
 
   HWY_INLINE void add(int at, Floats share) const {
-    float* light = tile.light + at;
-    if (tile.planes == 1) {
-      hn::StoreU(hn::MulAdd(first_weight, share, hn::LoadU(d, light)), d, light);
-      return;
-    }
-    for (int p = 0; p < tile.planes; ++p, light += kBeamTilePlane) {
-      hn::StoreU(hn::MulAdd(set(weights[p]), share, hn::LoadU(d, light)), d, light);
+    float* const light = first + at;
+    hn::StoreU(hn::MulAdd(first_weight, share, hn::LoadU(d, light)), d, light);
+    for (std::size_t i = 1; i < count; ++i) {
+      float* const other = tile.light + planes.offset[i] + at;
+      hn::StoreU(hn::MulAdd(set(planes.weight[i]), share, hn::LoadU(d, other)), d, other);
     }
   }
 };
@@ -212,49 +237,113 @@ struct Reached {
 };
 
 constexpr std::size_t kAxis = kBeamTile + 16;
-using Axis = std::array<float, kAxis>;
+using Axes = std::array<std::array<float, kAxis>, BeamSpots::kMost>;
 
-/// shares[i]: of a spot, on pixel begin + i of an axis.
-HWY_INLINE void axis_shares(const Reached& range, float middle, float sigma, float scale,
-                            Axis& shares) {
-  const Floats per_pixel = set(1 / sigma);
-  const int count = range.count();
-  for (int i = 0; i < count; i += lanes()) {
-    const Floats at = hn::Add(lane_numbers(d), set(static_cast<float>(range.begin + i) - middle));
-    const Floats z = hn::Mul(at, per_pixel);
-    const Floats below = normal_below(z), next = normal_below(hn::Add(z, per_pixel));
-    const auto inside = hn::Lt(lane_numbers(d), set(static_cast<float>(count - i)));
-    hn::StoreU(hn::IfThenElseZero(inside, hn::Mul(hn::Sub(next, below), set(scale))), d,
-               shares.data() + i);
+/// Of each lane the next one; of the last itself.
+HWY_INLINE auto next_lanes() {
+  const hn::RebindToSigned<W> i;
+  const auto next = hn::Add(lane_numbers(i), hn::Set(i, 1));
+  return hn::IndicesFromVec(w, hn::Min(next, hn::Set(i, wide_lanes() - 1)));
+}
+HWY_INLINE int share_lanes() { return std::max(1, wide_lanes() - 1); }
+/// Deviations a pixel.
+HWY_INLINE float scale_of(float sigma) { return 1 / std::max(sigma, kLeastSigma); }
+
+/// A spot's shares of as many pixels of an axis as share_lanes(), and 0. Each is the difference of
+/// the distribution at its two edges, which are neighbouring lanes. @param scale deviations a pixel
+/// @param start of the first edge, deviations
+HWY_INLINE Wide axis_shares(float start, float scale) {
+  const Wide edges = hn::MulAdd(lane_numbers(w), wide(scale), wide(start));
+  const Wide below = normal_below(w, edges);
+  if (wide_lanes() == 1) return hn::Sub(normal_below(w, wide(start + scale)), below);
+  return hn::Sub(hn::TableLookupLanes(below, next_lanes()), below);
+}
+
+/// Some spots of a tile, by their shares of rows.
+template <int kCount>
+HWY_INLINE void draw_products(const BeamSpots& spots, const Axes& rows, const Reached& across,
+                              const Reached& down, const Target& target) {
+  const Target to = target;
+  const Wide weight = wide(to.planes.weight[0]), zero = hn::Zero(w);
+  for (int x = 0; x < across.count(); x += share_lanes()) {
+    const auto inside = hn::Lt(lane_numbers(w), wide(static_cast<float>(across.count() - x)));
+    const auto column = [&](std::size_t k) {
+      const float scale = scale_of(spots.sigma[k]);
+      const float start = (static_cast<float>(across.begin + x) - spots.x[k]) * scale;
+      return hn::IfThenElseZero(inside, axis_shares(start, scale));
+    };
+    const Wide a = column(0), b = kCount > 1 ? column(1) : zero;
+    const Wide c = kCount > 2 ? column(2) : zero, e = kCount > 3 ? column(3) : zero;
+    const Wide f = kCount > 4 ? column(4) : zero, g = kCount > 5 ? column(5) : zero;
+    int place = down.begin * kBeamTile + across.begin + x;
+    for (std::size_t y = 0; y < static_cast<std::size_t>(down.count()); ++y) {
+      Wide sum = hn::Mul(a, wide(rows[0][y]));
+      if (kCount > 1) sum = hn::MulAdd(b, wide(rows[1][y]), sum);
+      if (kCount > 2) sum = hn::MulAdd(c, wide(rows[2][y]), sum);
+      if (kCount > 3) sum = hn::MulAdd(e, wide(rows[3][y]), sum);
+      if (kCount > 4) sum = hn::MulAdd(f, wide(rows[4][y]), sum);
+      if (kCount > 5) sum = hn::MulAdd(g, wide(rows[5][y]), sum);
+      float* const light = to.first + place;
+      hn::StoreU(hn::MulAdd(weight, sum, hn::LoadU(w, light)), w, light);
+      for (std::size_t i = 1; i < to.count; ++i) {
+        float* const other = to.tile.light + to.planes.offset[i] + place;
+        hn::StoreU(hn::MulAdd(wide(to.planes.weight[i]), sum, hn::LoadU(w, other)), w, other);
+      }
+      place += kBeamTile;
+    }
+  }
+}
+
+/// A few spots, their places in the tile.
+HWY_INLINE void draw_spots(const BeamSpots& spots, const Target& target) {
+  const auto count = static_cast<std::size_t>(spots.count);
+  float left = spots.x[0], right = left, top = spots.y[0], bottom = top, sigma = spots.sigma[0];
+  for (std::size_t k = 1; k < count; ++k) {
+    left = std::min(left, spots.x[k]), right = std::max(right, spots.x[k]);
+    top = std::min(top, spots.y[k]), bottom = std::max(bottom, spots.y[k]);
+    sigma = std::max(sigma, spots.sigma[k]);
+  }
+  const float reach = kSpotReach * std::max(sigma, kLeastSigma);
+  const Reached across(left, right, reach), down(top, bottom, reach);
+  if (across.count() <= 0 || down.count() <= 0) return;
+  Axes rows;
+  for (std::size_t k = 0; k < count; ++k) {
+    const float scale = scale_of(spots.sigma[k]);
+    const float start = (static_cast<float>(down.begin) - spots.y[k]) * scale;
+    const Wide share = wide(spots.share[k]);
+    for (int y = 0; y < down.count(); y += share_lanes()) {
+      const Wide shares = axis_shares(start + static_cast<float>(y) * scale, scale);
+      hn::StoreU(hn::Mul(share, shares), w, rows[k].data() + y);
+    }
+  }
+  switch (count) {
+    case 1:
+      return draw_products<1>(spots, rows, across, down, target);
+    case 2:
+      return draw_products<2>(spots, rows, across, down, target);
+    case 3:
+      return draw_products<3>(spots, rows, across, down, target);
+    case 4:
+      return draw_products<4>(spots, rows, across, down, target);
+    case 5:
+      return draw_products<5>(spots, rows, across, down, target);
+    default:
+      return draw_products<6>(spots, rows, across, down, target);
   }
 }
 
 /// A part so short that a few spots add up to it. From (x0, y0) to (x1, y1) in the tile.
 HWY_INLINE void draw_part(float x0, float y0, float x1, float y1, float sigma, float scale,
                           const Target& target) {
-  const float reach = kSpotReach * sigma;
-  const Reached across(std::min(x0, x1), std::max(x0, x1), reach);
-  const Reached down(std::min(y0, y1), std::max(y0, y1), reach);
-  if (across.count() <= 0 || down.count() <= 0) return;
   const auto& rule = stroke_law::quadrature_for(std::hypot(x1 - x0, y1 - y0) / sigma);
-  const auto nodes = static_cast<std::size_t>(rule.nodes);
-  std::array<Axis, 4> x_share, y_share;
-  for (std::size_t k = 0; k < nodes; ++k) {
+  BeamSpots spots;
+  spots.count = rule.nodes;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(rule.nodes); ++k) {
     const float t = 0.5f + 0.5f * rule.at[k];
-    axis_shares(across, x0 + t * (x1 - x0), sigma, 1, x_share[k]);
-    axis_shares(down, y0 + t * (y1 - y0), sigma, rule.weight[k] * scale, y_share[k]);
+    spots.x[k] = x0 + t * (x1 - x0), spots.y[k] = y0 + t * (y1 - y0);
+    spots.sigma[k] = sigma, spots.share[k] = rule.weight[k] * scale;
   }
-  for (int y = 0; y < down.count(); ++y) {
-    const int row = (down.begin + y) * kBeamTile + across.begin;
-    for (int x = 0; x < across.count(); x += lanes()) {
-      Floats sum = hn::Zero(d);
-      for (std::size_t k = 0; k < nodes; ++k) {
-        sum = hn::MulAdd(set(y_share[k][static_cast<std::size_t>(y)]),
-                         hn::LoadU(d, x_share[k].data() + x), sum);
-      }
-      target.add(row + x, sum);
-    }
-  }
+  draw_spots(spots, target);
 }
 
 /// The share of a stroke's way, [from, to], that lies within `low` and `high` on one axis.
@@ -289,27 +378,38 @@ HWY_INLINE void draw_parts(const BeamStroke& s, float length, const Target& targ
   }
 }
 
-/// Strokes lie anywhere in memory.
-HWY_INLINE void prefetch(std::span<const BeamStroke> strokes, const float* weights,
-                         std::span<const std::uint32_t> order, std::size_t i, int planes) {
-  constexpr std::size_t kAhead = 8;
-  if (i + kAhead >= order.size()) return;
-  const std::size_t next = order[i + kAhead];
-  hwy::Prefetch(&strokes[next]);
-  hwy::Prefetch(weights + next * static_cast<std::size_t>(planes));
+HWY_INLINE void draw_stroke(const BeamStroke& stroke, const Target& target) {
+  const float length = stroke_law::length_of(stroke);
+  if (stroke_law::has_closed_form(stroke.sigma, length)) {
+    draw_line(stroke, length, target);
+  } else {
+    draw_parts(stroke, length, target);
+  }
 }
 
-void DrawStrokes(std::span<const BeamStroke> strokes, const float* weights,
-                 std::span<const std::uint32_t> order, const BeamTile& tile) {
+HWY_INLINE void draw_spots_on(const BeamSpots& spots, const Target& target) {
+  BeamSpots here = spots;
+  for (float& x : here.x) x -= static_cast<float>(target.tile.x);
+  for (float& y : here.y) y -= static_cast<float>(target.tile.y);
+  draw_spots(here, target);
+}
+
+void DrawMarks(const BeamMarks& marks, std::span<const std::uint32_t> order, const BeamTile& tile) {
+  const auto planes = static_cast<std::size_t>(tile.planes);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    prefetch(strokes, weights, order, i, tile.planes);
-    const BeamStroke& stroke = strokes[order[i]];
-    const Target target{tile, weights + order[i] * static_cast<std::size_t>(tile.planes)};
-    const float length = stroke_law::length_of(stroke);
-    if (stroke_law::has_closed_form(stroke.sigma, length)) {
-      draw_line(stroke, length, target);
+    const std::size_t ahead = i + kMarksAhead;
+    if (ahead < order.size()) prefetch_mark(marks, order[ahead], planes);
+    const std::size_t number = order[i], strokes = marks.strokes.size();
+    const bool is_stroke = number < strokes;
+    const float* const weights = is_stroke ? &marks.stroke_weights[number * planes]
+                                           : &marks.spot_weights[(number - strokes) * planes];
+    const LitPlanes lit(tile, weights);
+    if (lit.count == 0) continue;
+    const Target target{tile, lit};
+    if (is_stroke) {
+      draw_stroke(marks.strokes[number], target);
     } else {
-      draw_parts(stroke, length, target);
+      draw_spots_on(marks.spots[number - strokes], target);
     }
   }
 }
@@ -322,11 +422,28 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace kinescope {
 
-HWY_EXPORT(DrawStrokes);
+HWY_EXPORT(DrawMarks);
 
-void draw_strokes(std::span<const BeamStroke> strokes, const float* weights,
-                  std::span<const std::uint32_t> order, const BeamTile& tile) {
-  HWY_DYNAMIC_DISPATCH(DrawStrokes)(strokes, weights, order, tile);
+void prefetch_mark(const BeamMarks& marks, std::size_t number, std::size_t planes) {
+  const auto fetch = [](const auto* first, std::size_t count) {
+    const auto* const bytes = reinterpret_cast<const std::byte*>(first);
+    const std::size_t size = count * sizeof(*first);
+    for (std::size_t at = 0; at < size; at += 64) hwy::Prefetch(bytes + at);
+    hwy::Prefetch(bytes + size - 1);
+  };
+  if (number < marks.strokes.size()) {
+    fetch(&marks.strokes[number], 1);
+    fetch(&marks.stroke_weights[number * planes], planes);
+  } else {
+    const std::size_t i = number - marks.strokes.size();
+    fetch(&marks.spots[i], 1);
+    fetch(&marks.spot_weights[i * planes], planes);
+  }
+}
+
+void draw_marks(const BeamMarks& marks, std::span<const std::uint32_t> order,
+                const BeamTile& tile) {
+  HWY_DYNAMIC_DISPATCH(DrawMarks)(marks, order, tile);
 }
 
 }  // namespace kinescope

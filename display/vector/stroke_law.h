@@ -22,7 +22,7 @@ inline constexpr float kBroadSigma = 0.8f;
 /// a pixel's shape right across them only.
 inline constexpr float kLineLength = 4;
 /// In deviations: as far as a few spots make a stroke.
-inline constexpr float kPartLength = 2.5f;
+inline constexpr float kPartLength = 5;
 
 /// Below kSpotReach, of what lies within it.
 inline const double kWithinReach = std::erf(kSpotReach / std::numbers::sqrt2);
@@ -43,20 +43,27 @@ inline int parts_of(float sigma, float length) {
 /// Nodes on [-1, 1] and weights that add up to 1 (Abramowitz and Stegun, table 25.4).
 struct Quadrature {
   int nodes;
-  std::array<float, 4> at, weight;
+  std::array<float, BeamSpots::kMost> at, weight;
 };
-inline constexpr std::array<Quadrature, 4> kQuadratures{{
+inline constexpr std::array<Quadrature, BeamSpots::kMost> kQuadratures{{
     {1, {0}, {1}},
     {2, {-0.577350269f, 0.577350269f}, {0.5f, 0.5f}},
     {3, {-0.774596669f, 0, 0.774596669f}, {0.277777778f, 0.444444444f, 0.277777778f}},
     {4,
      {-0.861136312f, -0.339981044f, 0.339981044f, 0.861136312f},
      {0.173927423f, 0.326072577f, 0.326072577f, 0.173927423f}},
+    {5,
+     {-0.906179846f, -0.538469310f, 0, 0.538469310f, 0.906179846f},
+     {0.118463443f, 0.239314335f, 0.284444444f, 0.239314335f, 0.118463443f}},
+    {6,
+     {-0.932469514f, -0.661209386f, -0.238619186f, 0.238619186f, 0.661209386f, 0.932469514f},
+     {0.085662246f, 0.180380787f, 0.233956967f, 0.233956967f, 0.180380787f, 0.085662246f}},
 }};
 
-/// The least one that errs by less than one part in 10^4 over a part so many deviations long.
+/// The least one that errs by less than three parts in 10^4 of a long line's peak, or a shorter
+/// one's own, over a part so many deviations long.
 inline const Quadrature& quadrature_for(float deviations) {
-  constexpr std::array<float, 3> kLongest{0.05f, 0.6f, 1.4f};
+  constexpr std::array<float, 5> kLongest{0.13f, 1.0f, 2.0f, 3.0f, 4.0f};
   std::size_t i = 0;
   while (i < kLongest.size() && deviations > kLongest[i]) ++i;
   return kQuadratures[i];

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "display/decay.h"
-#include "display/layer_colours.h"
 #include "display/vector/light_kernels.h"
+#include "display/vector/stroke_law.h"
 
 namespace kinescope {
 namespace {
@@ -17,23 +17,23 @@ namespace {
 constexpr Seconds kFreshest = milliseconds(2);
 constexpr double kPartsAPixel = 1;
 constexpr double kMostParts = 512;
+/// Spans whose pieces one worker makes at a time, and those that are drawn together: enough for
+/// every tile, few enough for the caches.
+constexpr std::size_t kChunkSpans = 2048, kBatchSpans = 16 * kChunkSpans;
+/// Moves that are followed at a time.
+constexpr std::size_t kBatchMoves = 1 << 14;
 /// Light that no picture shows is dropped: thus a screen becomes dark, and its tiles cost nothing.
 constexpr float kUnseen = 1e-8f;
 
 }  // namespace
 
 VectorTube::VectorTube(const VectorMachine& machine, int width, int height)
-    : dynamics_(machine), picture_(width, height) {
-  const PhosphorType& type = find_phosphor(machine.phosphor);
-  const auto colours = layer_colours(type);
-  int planes = 0;
-  for (std::size_t i = 0; i < type.layers.size(); ++i) {
-    layers_.push_back(
-        {type.layers[i], colours[i], type.colour || machine.penetration ? i : 0, planes});
-    planes += 1 + static_cast<int>(type.layers[i].terms.size());
-  }
-  guns_ = type.colour || machine.penetration;
-  light_ = TiledLight(width, height, planes);
+    : guns_(machine.penetration || find_phosphor(machine.phosphor).colour),
+      dose_light_(find_phosphor(machine.phosphor), guns_),
+      dynamics_(machine),
+      cutter_(machine),
+      light_(width, height, dose_light_.planes()),
+      picture_(width, height) {
   scale_ = std::min(static_cast<double>(width) / machine.width,
                     static_cast<double>(height) / machine.height);
   left_ = 0.5 * (width - scale_ * machine.width);
@@ -55,141 +55,192 @@ bool VectorTube::dark() const {
   return black_ && lasting_.empty() && dynamics_.rests() && all_unlit();
 }
 
-/// Gathers the light that what is there gives in the window, and lets it decay.
-void VectorTube::fade(Seconds length, Workers& workers) {
-  workers.run(light_.tiles(), [&](int tile, int) {
-    if (!light_.lit(tile)) return;
-    bool any = false;
-    for (const Layer& layer : layers_) {
-      float* const sum = light_.plane(tile, layer.first_plane);
+/// Gathers the light that what is there gives in the window, lets it decay, and adds what each
+/// cycle does.
+void VectorTube::fade(int tile, Seconds length) {
+  const bool cycles = has_cycle_ && cycle_.lit(tile);
+  if (!light_.lit(tile) && !cycles) return;
+  bool any = cycles;
+  const auto more = [&](int plane) { return cycles ? cycle_.plane(tile, plane) : nullptr; };
+  for (const LightLayer& layer : dose_light_.layers()) {
+    int plane = layer.first_plane;
+    float* const sum = light_.plane(tile, plane);
+    if (cycles) {
+      std::copy_n(more(plane), kBeamTilePlane, sum);
+    } else {
       std::fill_n(sum, kBeamTilePlane, 0.0f);
-      int plane = layer.first_plane;
-      for (const DecayTerm& term : layer.phosphor.terms) {
-        const Decayed after = decayed(length.count(), term.tau.count());
-        any |= fade_light(sum, light_.plane(tile, ++plane), static_cast<float>(after.lost),
-                          static_cast<float>(after.left), kUnseen, kBeamTilePlane);
-      }
     }
-    light_.set_lit(tile, any);
-  });
-}
-
-/// The part of a move in [begin, end), of an exposure that ends at `until`.
-void VectorTube::add_stroke(const BeamMove& move, Seconds begin, Seconds end, Seconds until) {
-  const double length = (move.end - move.begin).count();
-  const auto place = [&](Seconds t, double from, double to) {
-    return length > 0 ? std::lerp(from, to, (t - move.begin).count() / length) : to;
-  };
-  const auto x = [&](Seconds t) {
-    return static_cast<float>(left_ + scale_ * place(t, move.x0, move.x1));
-  };
-  const auto y = [&](Seconds t) {
-    return static_cast<float>(bottom_ - scale_ * place(t, move.y0, move.y1));
-  };
-  strokes_.push_back({x(begin), y(begin), x(end), y(end), sigma_px_ * move.spread});
-  const double dwell = (end - begin).count(), age = (until - begin).count();
-  for (const Layer& layer : layers_) {
-    const double share_of_gun = guns_ ? static_cast<double>(move.colour[layer.gun]) : 1;
-    const double dose = gain_ * dwell * static_cast<double>(move.intensity) * share_of_gun;
-    double light = 0;
     for (const DecayTerm& term : layer.phosphor.terms) {
-      light += term.share * light_of_dose(0, age, dwell, term.tau.count());
-    }
-    weights_.push_back(static_cast<float>(dose * light));
-    for (const DecayTerm& term : layer.phosphor.terms) {
-      weights_.push_back(
-          static_cast<float>(dose * term.share * left_of_dose(age, dwell, term.tau.count())));
+      const Decayed after = decayed(length.count(), term.tau.count());
+      float* const held = light_.plane(tile, ++plane);
+      any |= fade_light(sum, held, more(plane), static_cast<float>(after.lost),
+                        static_cast<float>(after.left), kUnseen, kBeamTilePlane);
     }
   }
+  light_.set_lit(tile, any);
 }
 
-void VectorTube::add_move(const BeamMove& move, Seconds until) {
-  const Seconds begin = std::max(move.begin, now_), end = std::min(move.end, until);
-  if (!(move.intensity > 0) || end <= begin) return;
+/// The share of each gun.
+std::array<float, 3> VectorTube::guns_of(const BeamSpan& span) const {
+  return guns_ ? span.colour : std::array<float, 3>{1, 1, 1};
+}
+
+double VectorTube::dose_of(double seconds, float current) const {
+  return gain_ * seconds * static_cast<double>(current);
+}
+
+/// Of a stroke that ends shortly before the exposure does, in parts.
+void VectorTube::add_even(const BeamSpan& span, const BeamPiece& piece, Seconds until,
+                          BeamMarks& marks) const {
+  const auto place = [&](double t, double from, double to) { return from + t * (to - from); };
+  const auto x = [&](double t) {
+    return static_cast<float>(left_ + scale_ * place(t, piece.x[0], piece.x[1]));
+  };
+  const auto y = [&](double t) {
+    return static_cast<float>(bottom_ - scale_ * place(t, piece.y[0], piece.y[1]));
+  };
+  const double length = piece.to - piece.from;
   double parts = 1;
-  if (end > until - kFreshest) {
-    const double way = scale_ * std::hypot(move.x1 - move.x0, move.y1 - move.y0);
-    const double share = (end - begin) / (move.end - move.begin);
-    parts = std::clamp(std::ceil(way * share * kPartsAPixel), 1.0, kMostParts);
+  if (span.at + Seconds(piece.to) > until - kFreshest) {
+    const double way = scale_ * std::hypot(piece.x[1] - piece.x[0], piece.y[1] - piece.y[0]);
+    parts = std::clamp(std::ceil(way * kPartsAPixel), 1.0, kMostParts);
   }
+  const double dose = dose_of(length / parts, piece.current);
   for (double i = 0; i < parts; ++i) {
-    const Seconds from = begin + (end - begin) * (i / parts);
-    add_stroke(move, from, begin + (end - begin) * ((i + 1) / parts), until);
+    const double from = i / parts, to = (i + 1) / parts;
+    marks.strokes.push_back({x(from), y(from), x(to), y(to), sigma_px_ * piece.spread[0]});
+    const Seconds begin = span.at + Seconds(piece.from + length * from);
+    const Seconds end = span.at + Seconds(piece.from + length * to);
+    dose_light_.add_weights(dose, guns_of(span), begin, end, until, marks.stroke_weights);
   }
 }
 
-void VectorTube::compose(Workers& workers) {
-  workers.run(light_.tiles(), [&](int number, int) {
-    const BeamTile tile = light_.tile(number);
-    const int right = std::min(tile.x + kBeamTile, picture_.width());
-    const int bottom = std::min(tile.y + kBeamTile, picture_.height());
-    for (int y = tile.y; y < bottom; ++y) {
-      LinearRgb* const row = picture_.row(y);
-      std::fill(row + tile.x, row + right, LinearRgb{});
-      for (const Layer& layer : layers_) {
-        if (!light_.lit(number)) break;
-        const float* light = light_.plane(number, layer.first_plane) + (y - tile.y) * kBeamTile;
-        for (int x = tile.x; x < right; ++x, ++light) {
-          row[x].r += *light * layer.colour[0];
-          row[x].g += *light * layer.colour[1];
-          row[x].b += *light * layer.colour[2];
-        }
+/// One by one shortly before the exposure ends.
+void VectorTube::add_spots(const BeamSpan& span, const BeamPiece& piece, Seconds until,
+                           BeamMarks& marks) const {
+  const double length = piece.to - piece.from, dose = dose_of(length, piece.current);
+  const bool fresh = span.at + Seconds(piece.to) > until - kFreshest;
+  const auto& rule = stroke_law::kQuadratures[static_cast<std::size_t>(piece.spots - 1)];
+  BeamSpots spots;
+  double from = piece.from;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(piece.spots); ++i) {
+    const auto at = static_cast<std::size_t>(spots.count++);
+    spots.x[at] = static_cast<float>(left_ + scale_ * piece.x[i]);
+    spots.y[at] = static_cast<float>(bottom_ - scale_ * piece.y[i]);
+    spots.sigma[at] = sigma_px_ * piece.spread[i];
+    spots.share[at] = fresh ? 1 : piece.share[i];
+    if (!fresh) continue;
+    marks.spots.push_back(spots);
+    const double to = from + length * static_cast<double>(rule.weight[i]);
+    dose_light_.add_weights(dose * static_cast<double>(piece.share[i]), guns_of(span),
+                            span.at + Seconds(from), span.at + Seconds(std::min(to, piece.to)),
+                            until, marks.spot_weights);
+    spots.count = 0, from = to;
+  }
+  if (fresh) return;
+  marks.spots.push_back(spots);
+  dose_light_.add_weights(dose, guns_of(span), span.at + Seconds(piece.from),
+                          span.at + Seconds(piece.to), until, marks.spot_weights);
+}
+
+/// What a span leaves between the last exposure's end and this one's.
+void VectorTube::add_marks(const BeamSpan& span, Seconds until, std::vector<BeamPiece>& pieces,
+                           BeamMarks& marks) const {
+  pieces.clear();
+  const double from = std::max(span.from, (now_ - span.at).count());
+  const double to = std::min(span.to, (until - span.at).count());
+  if (from < to) cutter_.cut(span, from, to, pieces);
+  for (const BeamPiece& piece : pieces) {
+    if (piece.spots == 0) {
+      add_even(span, piece, until, marks);
+    } else {
+      add_spots(span, piece, until, marks);
+    }
+  }
+}
+
+void VectorTube::compose(int number) {
+  const BeamTile tile = light_.tile(number);
+  const int right = std::min(tile.x + kBeamTile, picture_.width());
+  const int bottom = std::min(tile.y + kBeamTile, picture_.height());
+  for (int y = tile.y; y < bottom; ++y) {
+    LinearRgb* const row = picture_.row(y);
+    std::fill(row + tile.x, row + right, LinearRgb{});
+    for (const LightLayer& layer : dose_light_.layers()) {
+      if (!light_.lit(number)) break;
+      const float* light = light_.plane(number, layer.first_plane) + (y - tile.y) * kBeamTile;
+      for (int x = tile.x; x < right; ++x, ++light) {
+        row[x].r += *light * layer.colour[0];
+        row[x].g += *light * layer.colour[1];
+        row[x].b += *light * layer.colour[2];
       }
     }
-  });
+  }
 }
 
 bool VectorTube::carries_since(Seconds time) const {
-  const auto began = [&](const BeamMove& move) { return move.begin < time; };
+  const auto began = [&](const BeamSpan& span) { return span.begin() < time; };
   return std::any_of(lasting_.begin(), lasting_.end(), began) || dynamics_.carries_since(time);
 }
 
-void VectorTube::gather_strokes(std::span<const BeamMove> moves, Seconds end) {
-  dynamics_.follow(moves, end, lasting_);
-  strokes_.clear();
-  weights_.clear();
-  for (const BeamMove& move : lasting_) add_move(move, end);
-  std::erase_if(lasting_, [&](const BeamMove& move) { return move.end <= end; });
+/// Draws what was followed. Chunks are cut and sorted apart from each other, and drawn tile by tile
+/// in their order. @return whether there was anything
+bool VectorTube::draw_spans(Seconds until, TiledLight& light, Workers& workers) {
+  const std::size_t chunks = (spans_.size() + kChunkSpans - 1) / kChunkSpans;
+  if (chunks == 0) return false;
+  if (marks_.size() < chunks) marks_.resize(chunks);
+  workers.run(static_cast<int>(chunks), [&](int number, int) {
+    const std::size_t first = static_cast<std::size_t>(number) * kChunkSpans;
+    const std::size_t last = std::min(first + kChunkSpans, spans_.size());
+    BeamMarks& marks = marks_[static_cast<std::size_t>(number)];
+    marks.clear();
+    std::vector<BeamPiece> pieces;
+    for (std::size_t i = first; i < last; ++i) add_marks(spans_[i], until, pieces, marks);
+  });
+  painter_.draw(std::span(marks_).first(chunks), light, workers);
+  for (const BeamSpan& span : spans_) {
+    if (span.end() > until) lasting_.push_back(span);
+  }
+  spans_.clear();
+  return true;
+}
+
+/// @return whether anything was drawn
+bool VectorTube::draw_moves(std::span<const BeamMove> moves, Seconds end, TiledLight& light,
+                            Workers& workers) {
+  spans_.swap(lasting_);
+  lasting_.clear();
+  bool drawn = false;
+  do {
+    const auto some = moves.first(std::min(kBatchMoves, moves.size()));
+    moves = moves.subspan(some.size());
+    dynamics_.follow(some, moves.empty() ? end : std::min(end, moves.front().begin), spans_);
+    if (moves.empty() || spans_.size() >= kBatchSpans) drawn |= draw_spans(end, light, workers);
+  } while (!moves.empty());
   // What has lasted for longer than this exposure is not the same in the next one.
   if (carries_since(now_)) repeated_.restart();
+  return drawn;
 }
 
 /// Everything is as it was in the last exposure.
 void VectorTube::repeat(Seconds length) {
   dynamics_.repeat(length);
-  for (BeamMove& move : lasting_) move.begin += length, move.end += length;
+  for (BeamSpan& span : lasting_) span.at += length;
 }
 
 void VectorTube::draw_cycle(std::span<const BeamMove> moves, Seconds end, Workers& workers) {
-  gather_strokes(moves, end);
-  if (strokes_.empty()) return;  // what only fades is no cycle
   if (cycle_.tiles() == 0) {
     cycle_ = TiledLight(light_.width(), light_.height(), light_.planes());
   } else {
     cycle_.clear();
   }
-  painter_.draw(strokes_, weights_, cycle_, workers);
-  has_cycle_ = true;
-}
-
-void VectorTube::add_cycle(Workers& workers) {
-  workers.run(light_.tiles(), [&](int tile, int) {
-    if (!cycle_.lit(tile)) return;
-    add_light(light_.plane(tile, 0), cycle_.plane(tile, 0), light_.planes() * kBeamTilePlane);
-    light_.set_lit(tile, true);
-  });
+  has_cycle_ = draw_moves(moves, end, cycle_, workers);  // what only fades is no cycle
 }
 
 /// Until of what the slowest term held before the list was shown, a ten-millionth is left.
 int VectorTube::exposures_to_balance(Seconds length) const {
   constexpr double kDecays = 16;
-  double slowest = 0;
-  for (const Layer& layer : layers_) {
-    for (const DecayTerm& term : layer.phosphor.terms) {
-      slowest = std::max(slowest, term.tau.count());
-    }
-  }
-  const double exposures = kDecays * slowest / std::max(length.count(), 1e-9);
+  const double exposures = kDecays * dose_light_.slowest() / std::max(length, Seconds(1e-9));
   return static_cast<int>(std::min(1e9, std::ceil(exposures)));
 }
 
@@ -201,30 +252,34 @@ const Image<LinearRgb>& VectorTube::expose(std::span<const BeamMove> moves, Seco
   const Seconds length = end - now_;
   const int repeats = repeated_.count(moves, now_, end);
   if (repeats < kRepetitions) has_cycle_ = false;
+  changed_ = true;
   if (has_cycle_) {
     repeat(length);
     changed_ = repeats < kRepetitions + exposures_to_balance(length);
-  } else if (repeats >= kRepetitions) {
-    draw_cycle(moves, end, workers);
-    changed_ = true;
-  } else {
-    gather_strokes(moves, end);
-    changed_ = true;
+  }
+  if (!changed_) {
+    now_ = end;
+    return picture_;
+  }
+  const bool idle = moves.empty() && lasting_.empty() && dynamics_.rests();
+  const bool was_unlit = all_unlit();
+  const bool draws_cycle = !has_cycle_ && !idle && repeats >= kRepetitions;
+  if (draws_cycle) draw_cycle(moves, end, workers);
+  const bool drawn_anew = !has_cycle_ && !draws_cycle;
+  bool nothing = !has_cycle_ && was_unlit;
+  if (drawn_anew) {
+    workers.run(light_.tiles(), [&](int tile, int) { fade(tile, length); });
+    nothing = !draw_moves(moves, end, light_, workers) && was_unlit;
   }
   now_ = end;
-  if (!changed_) return picture_;
-  const bool nothing = strokes_.empty() && all_unlit();
-  if (!nothing) {
-    fade(length, workers);
-    if (has_cycle_) {
-      add_cycle(workers);
-    } else {
-      painter_.draw(strokes_, weights_, light_, workers);
-    }
-  }
   changed_ = !nothing || !black_;
-  if (changed_) compose(workers);
   black_ = nothing;
+  if (!changed_) return picture_;
+  // A tile's planes stay in the cache for all that is done with them.
+  workers.run(light_.tiles(), [&](int tile, int) {
+    if (!drawn_anew) fade(tile, length);
+    compose(tile);
+  });
   return picture_;
 }
 

@@ -1,13 +1,16 @@
 // The vector tube: what a beam's moves leave on a phosphor, and exposures of its light.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
-#include "display/phosphor.h"
+#include "display/vector/beam_cutter.h"
 #include "display/vector/beam_dynamics.h"
 #include "display/vector/beam_move.h"
 #include "display/vector/beam_painter.h"
+#include "display/vector/beam_span.h"
+#include "display/vector/dose_light.h"
 #include "display/vector/machine.h"
 #include "display/vector/repeated_moves.h"
 #include "raster/base/workers.h"
@@ -35,36 +38,38 @@ class VectorTube {
   bool changed() const { return changed_; }
 
  private:
-  struct Layer {
-    Phosphor phosphor;
-    std::array<float, 3> colour;
-    std::size_t gun;
-    int first_plane;  // its light; light to come of each term follows
-  };
   bool all_unlit() const;
-  void fade(Seconds length, Workers& workers);
-  void add_stroke(const BeamMove& move, Seconds begin, Seconds end, Seconds until);
-  void add_move(const BeamMove& move, Seconds until);
-  void compose(Workers& workers);
-  void gather_strokes(std::span<const BeamMove> moves, Seconds end);
+  void fade(int tile, Seconds length);
+  void add_marks(const BeamSpan& span, Seconds until, std::vector<BeamPiece>& pieces,
+                 BeamMarks& marks) const;
+  void add_even(const BeamSpan& span, const BeamPiece& piece, Seconds until,
+                BeamMarks& marks) const;
+  void add_spots(const BeamSpan& span, const BeamPiece& piece, Seconds until,
+                 BeamMarks& marks) const;
+  std::array<float, 3> guns_of(const BeamSpan& span) const;
+  double dose_of(double seconds, float current) const;
+  void compose(int tile);
+  bool draw_spans(Seconds until, TiledLight& light, Workers& workers);
+  bool draw_moves(std::span<const BeamMove> moves, Seconds end, TiledLight& light,
+                  Workers& workers);
   void draw_cycle(std::span<const BeamMove> moves, Seconds end, Workers& workers);
-  void add_cycle(Workers& workers);
   void repeat(Seconds length);
   bool carries_since(Seconds time) const;
   int exposures_to_balance(Seconds length) const;
 
-  std::vector<Layer> layers_;
-  bool guns_ = false;             // a move's colour has a share for each layer
+  bool guns_;  // a move's colour has a share for each layer
+  DoseLight dose_light_;
   double scale_, left_, bottom_;  // pixels a device unit; where (0, 0) lies, pixels
   float sigma_px_;
   double gain_;  // light a second of full current
   Seconds now_{0};
   BeamDynamics dynamics_;
+  BeamCutter cutter_;
   TiledLight light_;
   BeamPainter painter_;
-  std::vector<BeamMove> lasting_;  // moves that had not ended by now
-  std::vector<BeamStroke> strokes_;
-  std::vector<float> weights_;
+  std::vector<BeamSpan> spans_;    // to be drawn next
+  std::vector<BeamSpan> lasting_;  // those that had not ended by now
+  std::vector<BeamMarks> marks_;   // of each chunk of them
   Image<LinearRgb> picture_;
   bool black_ = true;  // the picture
   bool changed_ = true;

@@ -266,6 +266,7 @@ TEST(ProgramVector, BadDisplayFilesAreToldByLineOrAddress) {
       {"move 1 2\nstart:  jump start\n", "address 1"},
       {"jump 70000\n", "70000"},
       {"a: call a\n", "calls more than 8 deep"},
+      {"move 9 9\nchars \"no table\"\n", "address 1: chars before any table of characters"},
       {std::string("\x01\0\0", 3), "3 bytes"},
       {"", "empty"},
   };
@@ -358,6 +359,28 @@ TEST(ProgramVector, ModelsAreWireframes) {
                                       {.folder = folder.path()});
   EXPECT_EQ(dvg.exit_code, 2);
   EXPECT_THAT(dvg.err, HasSubstr("--machine"));
+}
+
+TEST(ProgramVector, OptionsOfModelsAreRefusedForWhatIsNone) {
+  TemporaryFolder folder;
+  write_text(folder / "plot", "IN;SP1;PA0,0;PD9,9;");
+  write_text(folder / "list", "move 1 2\ndraw 3 4\nagain\n");
+  const std::vector<std::vector<std::string>> given{
+      {"--hidden"}, {"--turn", "3"}, {"--crease", "2"}, {"--azimuth", "10"}, {"--eye", "1,2,3"}};
+  for (const char* const input : {"plot", "list"}) {
+    for (std::vector<std::string> args : given) {
+      const std::string option = args.front();
+      args.insert(args.begin(), {"vector", input, "-o", "a.png"});
+      const RunResult run = run_kinescope(args, {.folder = folder.path()});
+      EXPECT_EQ(run.exit_code, 2) << run.err;
+      EXPECT_EQ(run.lines_of_err(), 1) << run.err;
+      EXPECT_THAT(run.err, AllOf(HasSubstr(option), HasSubstr("model"), HasSubstr(input)));
+      EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+    }
+  }
+  const RunResult words =
+      run_kinescope({"vector", "--assemble", "list", "--hidden"}, {.folder = folder.path()});
+  EXPECT_EQ(words.exit_code, 2) << words.err;
 }
 
 }  // namespace

@@ -238,6 +238,9 @@ TEST(DisplayProcessor, EveryMachinesFaultsNameTheAddress) {
             std::string::npos);
   // Over the end of memory; a character's table that is not there.
   EXPECT_EQ(fault("jump 65535\n.org 65535\nnop\n", "generic").address, 65536u);
+  const ProcessorFault untold = fault("nop\nchars \"ab\"\n", "generic");
+  EXPECT_EQ(untold.what, "chars before any table of characters");
+  EXPECT_EQ(untold.address, 1u);
   EXPECT_EQ(fault("table 0xffff00\nchars \"a\"\n", "generic").address, 1u);
 }
 

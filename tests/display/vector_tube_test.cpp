@@ -164,5 +164,35 @@ TEST(VectorTube, APenetrationTubesVoltagePicksTheLayer) {
   EXPECT_NEAR(one_gun.b, both.b, 1e-3f);
 }
 
+/// Of a beam with dynamics, many vectors in several batches.
+TEST(VectorTube, IsTheSameForAnyNumberOfThreads) {
+  VectorMachine machine = find_vector_machine("generic");
+  machine.width = machine.height = 512;
+  machine.screen_mm = 512 * 0.13;
+  std::vector<BeamMove> moves;
+  Seconds time(0);
+  for (int i = 0; i < 30000; ++i) {
+    const double x0 = i * 97 % 480, y0 = i * 61 % 470, x1 = i * 31 % 450, y1 = i * 43 % 500;
+    const Seconds end = time + microseconds(1 + i % 5);
+    moves.push_back({x0, y0, x1, y1, time, end, i % 2 ? 1.0f : 0.0f, {1, 1, 1}, 0});
+    time = end;
+  }
+  const auto picture_by = [&](int threads) {
+    Workers workers(threads);
+    VectorTube tube(machine, 512, 512);
+    return tube.expose(moves, time + microseconds(50), workers);
+  };
+  const Image<LinearRgb> one = picture_by(1);
+  EXPECT_GT(sum_of(one), 0);
+  for (const int threads : {2, 8}) {
+    const Image<LinearRgb> other = picture_by(threads);
+    EXPECT_TRUE(std::equal(one.pixels().begin(), one.pixels().end(), other.pixels().begin(),
+                           [](const LinearRgb& a, const LinearRgb& b) {
+                             return a.r == b.r && a.g == b.g && a.b == b.b;
+                           }))
+        << threads;
+  }
+}
+
 }  // namespace
 }  // namespace kinescope
