@@ -21,6 +21,18 @@ void paint_ellipse(const Brush& brush, glm::ivec2 centre, glm::ivec2 radii, int 
   }
 }
 
+void paint_figure(const Brush& brush, BrushFigure figure, glm::ivec2 from, glm::ivec2 to,
+                  int width) {
+  switch (figure) {
+    case BrushFigure::kLine:
+      return paint_line(brush, from, to, width);
+    case BrushFigure::kBox:
+      return paint_box(brush, from, to, width);
+    case BrushFigure::kEllipse:
+      return paint_ellipse(brush, from, glm::abs(to - from), width);
+  }
+}
+
 Image<Srgb8> first_painting(int w, int h) {
   Image<Srgb8> paper(w, h, kPaintPaper);
   const auto on = [&](std::size_t paint) { return Brush{paper, kPaints[paint]}; };

@@ -47,10 +47,7 @@ class LineClipping : public ClonableDemo<LineClipping, Lesson> {
     track.step(std::move(values), std::move(note));
   }
   Segment2 segment() const { return {named_point(kFrom), named_point(kTo)}; }
-  ClipWindow window() const {
-    const glm::dvec2 a = named_point(kLow), b = named_point(kHigh);
-    return {glm::min(a, b), glm::max(a, b)};
-  }
+  ClipWindow window() const { return ClipWindow::between(named_point(kLow), named_point(kHigh)); }
 
   Track cohen_sutherland() const {
     Track track("Cohen-Sutherland", {"x", "y"});
@@ -125,17 +122,13 @@ class LineClipping : public ClonableDemo<LineClipping, Lesson> {
   }
 };
 
-std::unique_ptr<Demo> create(const DemoSetup& setup) {
-  return std::make_unique<LineClipping>(setup);
-}
-
 }  // namespace
 
 DemoInfo line_clipping_demo() {
   return {"line-clipping",
           "7 Viewing and clipping",
           "Lines clipped by region codes, by parameter and by halving, step by step",
-          create,
+          [](const DemoSetup& setup) { return std::make_unique<LineClipping>(setup); },
           1,
           "drag ends and corners",
           {"Cohen-Sutherland", "Liang-Barsky", "midpoint subdivision"}};

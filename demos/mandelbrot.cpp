@@ -135,15 +135,13 @@ class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
   DeepView view_;  // step: the width of the picture
 };
 
-std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Mandelbrot>(setup); }
-
 }  // namespace
 
 DemoInfo mandelbrot_demo() {
   return {"mandelbrot",
           "9 Curves and fractals",
           "Mandelbrot and Julia sets by escape time, zoomed by clicks far below doubles",
-          create,
+          [](const DemoSetup& setup) { return std::make_unique<Mandelbrot>(setup); },
           1,
           "left: deeper, right: back",
           {"Mandelbrot and Julia with deep zoom"}};

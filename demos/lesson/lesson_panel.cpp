@@ -220,6 +220,7 @@ void Lesson::draw_marks(Canvas& canvas, const World& world) const {
     const auto marks = track.marks(now - 1);
     if (marks.size() > kMostLit) continue;
     for (const Mark& mark : marks) {
+      if (!world.window().contains(mark.x, mark.y)) continue;  // in no other pane either
       const glm::vec2 at = screen_.place(world, {track.pane(), {mark.x, mark.y}});
       canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
     }

@@ -1,5 +1,6 @@
 #include "engine/projection/window_to_viewport.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "raster/base/error.h"
@@ -19,6 +20,12 @@ std::vector<TransformStep2> window_to_viewport_steps(const Window& window, const
 
 glm::dmat3 viewport_from_window(const Window& window, const Window& viewport) {
   return compose(window_to_viewport_steps(window, viewport));
+}
+
+Window of_same_shape(const Window& window, const Window& viewport) {
+  const glm::dvec2 size = window.high - window.low;
+  const glm::dvec2 scale = (viewport.high - viewport.low) / size;
+  return {viewport.low, viewport.low + std::min(scale.x, scale.y) * size};
 }
 
 }  // namespace kinescope

@@ -6,17 +6,17 @@
 
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "dejavu_sans.h"
 #include "dejavu_sans_mono.h"
+#include "raster/base/direct_cache.h"
 #include "raster/base/error.h"
-#include "raster/image/draw.h"
 #include "raster/path/exact_area.h"
 #include "raster/path/flatten.h"
+#include "raster/path/glyph_painter.h"
 #include "raster/path/utf8.h"
 
 namespace kinescope {
@@ -32,14 +32,6 @@ constexpr float kTolerancePx = 1.0f / 512;
 // coarse, since half a unit is two codes of coverage.
 constexpr int kOutlineShift = 6;
 constexpr float kUnitsPerPx = 64 << kOutlineShift;
-
-/// The coverage of one glyph, its corner given from the pen's whole pixel and the baseline.
-struct Glyph {
-  float advance_px = 0;
-  int left = 0, top = 0;
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> coverage;
-};
 
 /// Receives FreeType's outline and flattens it into edges. Outlines have y upwards.
 struct OutlineSink {
@@ -85,7 +77,8 @@ int cubic_to(const FT_Vector* a, const FT_Vector* b, const FT_Vector* to, void* 
   return 0;
 }
 
-void scan_convert(FT_Outline& outline, Glyph& glyph) {
+GlyphCoverage scan_convert(FT_Outline& outline) {
+  GlyphCoverage glyph;
   FT_BBox box;
   FT_Outline_Get_CBox(&outline, &box);
   glyph.left = static_cast<int>(box.xMin >> 6);
@@ -98,8 +91,9 @@ void scan_convert(FT_Outline& outline, Glyph& glyph) {
   FT_Outline_Decompose(&outline, &callbacks, &sink);
   sink.close();
   area.rows(FillRule::kNonZero, [&](int, std::span<const float> row) {
-    for (const float c : row) glyph.coverage.push_back(static_cast<std::uint8_t>(c * 255 + 0.5f));
+    for (const float c : row) glyph.pixels.push_back(static_cast<std::uint8_t>(c * 255 + 0.5f));
   });
+  return glyph;
 }
 
 glm::vec2 in_units(const FT_Vector* p) {
@@ -133,8 +127,6 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
 }  // namespace
 
 struct Font::State {
-  using Key = std::tuple<FT_UInt, FT_F26Dot6, int>;  // glyph, size, phase
-
   explicit State(std::span<const std::uint8_t> bytes) {
     FT_Error error = FT_Init_FreeType(&library);
     if (!error) {
@@ -158,43 +150,67 @@ struct Font::State {
     FT_Set_Char_Size(face, 0, size, 72, 72);
   }
 
-  const Glyph& glyph(FT_UInt index, int phase) {
-    const auto [place, is_new] = glyphs.try_emplace(Key{index, size, phase});
-    Glyph& glyph = place->second;
-    if (!is_new) return glyph;
-    // Light hinting moves outlines up and down only: stems keep their distances, while the
-    // baseline and the tops of letters lie on pixel rows.
-    if (FT_Load_Glyph(face, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP)) return glyph;
-    glyph.advance_px = static_cast<float>(face->glyph->linearHoriAdvance) / 65536;
-    FT_Outline& outline = face->glyph->outline;
-    if (face->glyph->format != FT_GLYPH_FORMAT_OUTLINE || outline.n_points == 0) return glyph;
-    FT_Outline_Translate(&outline, phase * 64 / kPhases, 0);
-    scan_convert(outline, glyph);
-    return glyph;
+  /// Light hinting moves outlines up and down only: stems keep their distances, while the baseline
+  /// and the tops of letters lie on pixel rows.
+  bool load(FT_UInt index) {
+    return FT_Load_Glyph(face, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP) == 0;
   }
 
-  float kerning_px(FT_UInt before, FT_UInt index) const {
+  FT_UInt index_of(char32_t code) {
+    return indices.get(code, [&] { return FT_Get_Char_Index(face, code); });
+  }
+
+  /// A glyph's at the size as it is set; indices of glyphs have 16 bits.
+  std::uint64_t key(FT_UInt index) const {
+    return std::uint64_t{index} << 32 | static_cast<std::uint64_t>(size) << 8;
+  }
+
+  float advance_px(FT_UInt index) {
+    return advances.get(key(index), [&] {
+      return load(index) ? static_cast<float>(face->glyph->linearHoriAdvance) / 65536 : 0.0f;
+    });
+  }
+
+  float kerning_px(FT_UInt before, FT_UInt index) {
+    const std::uint64_t pair = key(before) << 16 | index;
+    return kernings.get(
+        pair, [&] { return static_cast<float>(kerning(before, index, FT_KERNING_UNFITTED)) / 64; });
+  }
+
+  const GlyphCoverage& glyph(FT_UInt index, int phase) {
+    const std::uint64_t place = key(index) | static_cast<std::uint64_t>(phase);
+    return *recent.get(place, [&] {
+      const auto [at, is_new] = glyphs.try_emplace(place);
+      FT_Outline& outline = face->glyph->outline;
+      if (is_new && load(index) && face->glyph->format == FT_GLYPH_FORMAT_OUTLINE &&
+          outline.n_points > 0) {
+        FT_Outline_Translate(&outline, phase * 64 / kPhases, 0);
+        at->second = scan_convert(outline);
+      }
+      return &at->second;
+    });
+  }
+
+  FT_Pos kerning(FT_UInt before, FT_UInt index, FT_Kerning_Mode mode) const {
     FT_Vector shift{0, 0};
-    if (before && FT_HAS_KERNING(face)) {
-      FT_Get_Kerning(face, before, index, FT_KERNING_UNFITTED, &shift);
-    }
-    return static_cast<float>(shift.x) / 64;
+    if (before && FT_HAS_KERNING(face)) FT_Get_Kerning(face, before, index, mode, &shift);
+    return shift.x;
   }
 
-  /// Calls sink(glyph, whole pixel of the pen) for each character; returns the pen after the last.
+  /// Calls sink(glyph's index, phase, whole pixel of the pen) for each character; returns the pen
+  /// after the last.
   template <typename Sink>
   float lay_out(float x_px, std::string_view text, float size_px, Sink&& sink) {
     set_size(size_px);
     float pen = x_px;
     FT_UInt before = 0;
     for_each_code_point(text, [&](char32_t code) {
-      const FT_UInt index = FT_Get_Char_Index(face, code);
+      const FT_UInt index = index_of(code);
       pen += kerning_px(before, index);
       const float quarters = std::floor(pen * kPhases + 0.5f);
       const int whole = static_cast<int>(std::floor(quarters / kPhases));
-      const Glyph& g = glyph(index, static_cast<int>(quarters) - whole * kPhases);
-      sink(g, whole);
-      pen += g.advance_px;
+      sink(index, static_cast<int>(quarters) - whole * kPhases, whole);
+      pen += advance_px(index);
       before = index;
     });
     return pen;
@@ -203,7 +219,13 @@ struct Font::State {
   FT_Library library = nullptr;
   FT_Face face = nullptr;
   FT_F26Dot6 size = 0;
-  std::map<Key, Glyph> glyphs;
+  std::unordered_map<std::uint64_t, GlyphCoverage> glyphs;
+  // What the last characters needed, so that text allocates and searches nothing.
+  DirectCache<FT_UInt, 512> indices;
+  DirectCache<float, 512> advances;
+  DirectCache<float, 1024> kernings;
+  DirectCache<const GlyphCoverage*, 1024> recent;
+  GlyphPainter painter;
 };
 
 Font::Font(std::span<const std::uint8_t> bytes) : state_(std::make_unique<State>(bytes)) {}
@@ -215,7 +237,7 @@ Font Font::sans() { return Font(bytes_of(embedded::dejavu_sans())); }
 Font Font::mono() { return Font(bytes_of(embedded::dejavu_sans_mono())); }
 
 float Font::width_px(std::string_view text, float size_px) const {
-  return state_->lay_out(0, text, size_px, [](const Glyph&, int) {});
+  return state_->lay_out(0, text, size_px, [](FT_UInt, int, int) {});
 }
 
 float Font::ascent_px(float size_px) const {
@@ -237,22 +259,30 @@ Path Font::outline(char32_t code) const {
   return path;
 }
 
+Path Font::line_outline(std::string_view text) const {
+  Path line;
+  float pen = 0;
+  FT_UInt before = 0;
+  const FT_Face face = state_->face;
+  for_each_code_point(text, [&](char32_t code) {
+    const FT_UInt index = FT_Get_Char_Index(face, code);
+    pen += static_cast<float>(state_->kerning(before, index, FT_KERNING_UNSCALED));
+    before = index;
+    const Path glyph = outline(code);
+    line.verbs.insert(line.verbs.end(), glyph.verbs.begin(), glyph.verbs.end());
+    for (const glm::vec2 p : glyph.points) line.points.push_back(p + glm::vec2(pen, 0));
+    pen += static_cast<float>(face->glyph->advance.x);  // of what has just been read
+  });
+  return line;
+}
+
 float Font::units_per_em() const { return static_cast<float>(state_->face->units_per_EM); }
 
 float Font::draw(Image<Srgb8>& picture, float x_px, float y_px, std::string_view text,
                  float size_px, Srgb8 colour) const {
-  const LinearRgba light = decode(colour);
   const int baseline = static_cast<int>(std::lround(y_px));
-  return state_->lay_out(x_px, text, size_px, [&](const Glyph& glyph, int pen) {
-    const int left = pen + glyph.left, top = baseline + glyph.top;
-    const Rect area =
-        clipped({left, top, glyph.width, glyph.height}, picture.width(), picture.height());
-    for (int y = area.y; y < area.y + area.height; ++y) {
-      const std::uint8_t* row = glyph.coverage.data() + (y - top) * glyph.width;
-      for (int x = area.x; x < area.x + area.width; ++x) {
-        blend(picture.at(x, y), light, static_cast<float>(row[x - left]) / 255);
-      }
-    }
+  return state_->lay_out(x_px, text, size_px, [&](FT_UInt index, int phase, int pen) {
+    state_->painter.draw(picture, state_->glyph(index, phase), pen, baseline, colour);
   });
 }
 
