@@ -100,7 +100,7 @@ class FractalCompression : public ClonableDemo<FractalCompression, Lesson> {
     course.remarks.push_back(fmt::format("block ({}, {}) is made of ({}, {}), turn {}",
                                          x * code.block_px, y * code.block_px, from_x, from_y,
                                          map.turn));
-    course.remarks.push_back(fmt::format("level {:.2f} v {} {:.2f}", map.contrast,
+    course.remarks.push_back(fmt::format("each grey v becomes {:.2f} v {} {:.2f}", map.contrast,
                                          map.brightness < 0 ? '-' : '+', std::abs(map.brightness)));
   }
 

@@ -3,6 +3,7 @@
 
 #include "demos/lesson/ink_lines.h"
 #include "demos/lesson/lesson.h"
+#include "demos/region_codes.h"
 #include "engine/clip/cohen_sutherland.h"
 #include "engine/clip/midpoint_subdivision.h"
 
@@ -12,8 +13,6 @@ namespace {
 enum { kMethod };
 enum { kCohenSutherland, kLiangBarsky, kMidpoint };
 enum { kFrom, kTo, kLow, kHigh };
-
-std::string bits(Outcode code) { return fmt::format("{:04b}", static_cast<unsigned>(code)); }
 
 class LineClipping : public ClonableDemo<LineClipping, Lesson> {
  public:
@@ -58,7 +57,7 @@ class LineClipping : public ClonableDemo<LineClipping, Lesson> {
       if (track.steps() > 0) thrown = {clip.moved_from ? before.from : before.to, moved};
       if (clip.state == ClipState::kRejected) thrown = before;
       cut(track, thrown, {moved.x, moved.y},
-          "codes " + bits(clip.from_code) + " " + bits(clip.to_code));
+          "codes " + code_bits(clip.from_code) + " " + code_bits(clip.to_code));
       before = clip.segment;
     } while (clip.next());
     return track;
@@ -113,6 +112,9 @@ class LineClipping : public ClonableDemo<LineClipping, Lesson> {
     }
     for (const double y : {w.min.y, w.max.y}) {
       course.guides.push_back({pane.middle_of({-far.x, y}), pane.middle_of({far.x, y})});
+    }
+    if (method == kCohenSutherland) {
+      course.overlay = [pane, w](std::size_t) { return region_codes(pane, w); };
     }
     const auto left = clip_cohen_sutherland(w, segment());
     course.remarks.push_back(left ? fmt::format("inside: ({:.2f}, {:.2f}) to ({:.2f}, {:.2f})",

@@ -30,7 +30,10 @@ Rect Lesson::side() const {
   const float margin = theme::kMargin * theme::scale_for(height());
   const auto w = static_cast<float>(width()), h = static_cast<float>(height());
   if (portrait()) return {w, 0, 0, h};
-  const float across = std::floor(std::min(Form::kWidth * theme::scale_for(height()), w * 0.4f));
+  // In a wide window the panel has some of the room that the picture leaves.
+  const float scale = theme::scale_for(height()), least = Form::kWidth * scale;
+  const float left = w - (h - kHintRoom * scale) * World::kScreenWidth / World::kScreenHeight;
+  const float across = std::floor(std::min(std::clamp(left, least, 1.25f * least), w * 0.4f));
   return {w - across, 0, across, h - std::floor(std::min(margin, h * 0.01f))};
 }
 
@@ -220,7 +223,7 @@ void Lesson::draw_marks(Canvas& canvas, const World& world) const {
     const auto marks = track.marks(now - 1);
     if (marks.size() > kMostLit) continue;
     for (const Mark& mark : marks) {
-      if (!world.window().contains(mark.x, mark.y)) continue;  // in no other pane either
+      if (!world.window().contains({mark.x, mark.y, mark.x + 1, mark.y + 1})) continue;
       const glm::vec2 at = screen_.place(world, {track.pane(), {mark.x, mark.y}});
       canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
     }
@@ -261,9 +264,13 @@ void Lesson::draw_over(Canvas& canvas) const {
   const LessonScreen::Spot spot = screen_.spot(world, mouse_.x, mouse_.y);
   if (screen_.face().contains(static_cast<float>(mouse_.x), static_cast<float>(mouse_.y))) {
     const glm::dvec2 at = world.named(glm::floor(spot.at));
-    canvas.text(studio().mono, {screen_.face().right() - left, screen_.face().y + 20 * scale},
-                fmt::format("({:.0f}, {:.0f})", at.x, at.y), theme::kSmall * scale, theme::kCool,
-                Align::kRight);
+    const std::string words = fmt::format("({:.0f}, {:.0f})", at.x, at.y);
+    const float small = theme::kSmall * scale, pad = 6 * scale;
+    const float wide = studio().mono.width_px(words, small) + 2 * pad;
+    const Rect face = screen_.face();
+    canvas.fill({face.right() - wide, face.y, wide, 23 * scale}, theme::kPanel);
+    canvas.text(studio().mono, {face.right() - pad, face.y + 17 * scale}, words, small,
+                theme::kCool, Align::kRight);
   }
 }
 

@@ -78,22 +78,20 @@ int cubic_to(const FT_Vector* a, const FT_Vector* b, const FT_Vector* to, void* 
 }
 
 GlyphCoverage scan_convert(FT_Outline& outline) {
-  GlyphCoverage glyph;
   FT_BBox box;
   FT_Outline_Get_CBox(&outline, &box);
-  glyph.left = static_cast<int>(box.xMin >> 6);
-  glyph.top = static_cast<int>(-((box.yMax + 63) >> 6));
-  glyph.width = static_cast<int>((box.xMax + 63) >> 6) - glyph.left;
-  glyph.height = static_cast<int>(-(box.yMin >> 6)) - glyph.top;
-  ExactArea area(glyph.width, glyph.height);
-  OutlineSink sink{area, static_cast<float>(glyph.left), static_cast<float>(-glyph.top)};
+  const int left = static_cast<int>(box.xMin >> 6), top = static_cast<int>(-((box.yMax + 63) >> 6));
+  ExactArea area(static_cast<int>((box.xMax + 63) >> 6) - left,
+                 static_cast<int>(-(box.yMin >> 6)) - top);
+  OutlineSink sink{area, static_cast<float>(left), static_cast<float>(-top)};
   const FT_Outline_Funcs callbacks{move_to, line_to, quadratic_to, cubic_to, kOutlineShift, 0};
   FT_Outline_Decompose(&outline, &callbacks, &sink);
   sink.close();
+  std::vector<std::uint8_t> pixels;
   area.rows(FillRule::kNonZero, [&](int, std::span<const float> row) {
-    for (const float c : row) glyph.pixels.push_back(static_cast<std::uint8_t>(c * 255 + 0.5f));
+    for (const float c : row) pixels.push_back(static_cast<std::uint8_t>(c * 255 + 0.5f));
   });
-  return glyph;
+  return {left, top, area.width(), std::move(pixels)};
 }
 
 glm::vec2 in_units(const FT_Vector* p) {
@@ -134,7 +132,10 @@ struct Font::State {
           FT_New_Memory_Face(library, bytes.data(), static_cast<FT_Long>(bytes.size()), 0, &face);
     }
     if (!error && !FT_IS_SCALABLE(face)) error = FT_Err_Unknown_File_Format;
-    if (!error) return;
+    if (!error) {
+      kerned = FT_HAS_KERNING(face);
+      return;
+    }
     FT_Done_FreeType(library);
     throw_bad_input("not a scalable font (FreeType error " + std::to_string(error) + ")", "font");
   }
@@ -144,37 +145,45 @@ struct Font::State {
 
   void set_size(float size_px) {
     assert(size_px > 0 && size_px <= kLargestPx);
-    const FT_F26Dot6 wanted = std::max<FT_F26Dot6>(1, std::lround(size_px * 64));
-    if (wanted == size) return;
-    size = wanted;
+    size = std::max<FT_F26Dot6>(1, std::lround(size_px * 64));
+  }
+  /// FreeType hears of a size only when it is asked for something: text changes sizes often.
+  void apply_size() {
+    if (applied_size == size) return;
+    applied_size = size;
     FT_Set_Char_Size(face, 0, size, 72, 72);
   }
 
   /// Light hinting moves outlines up and down only: stems keep their distances, while the baseline
   /// and the tops of letters lie on pixel rows.
   bool load(FT_UInt index) {
+    apply_size();
     return FT_Load_Glyph(face, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP) == 0;
   }
 
-  FT_UInt index_of(char32_t code) {
-    return indices.get(code, [&] { return FT_Get_Char_Index(face, code); });
+  /// A glyph, or a character, at the size as it is set; indices of glyphs have 16 bits.
+  std::uint64_t key(std::uint32_t index_or_code) const {
+    return std::uint64_t{index_or_code} << 32 | static_cast<std::uint64_t>(size) << 8;
   }
 
-  /// A glyph's at the size as it is set; indices of glyphs have 16 bits.
-  std::uint64_t key(FT_UInt index) const {
-    return std::uint64_t{index} << 32 | static_cast<std::uint64_t>(size) << 8;
-  }
-
-  float advance_px(FT_UInt index) {
-    return advances.get(key(index), [&] {
-      return load(index) ? static_cast<float>(face->glyph->linearHoriAdvance) / 65536 : 0.0f;
+  struct Letter {
+    FT_UInt index = 0;
+    float advance_px = 0;
+  };
+  const Letter& letter(char32_t code) {
+    return letters.get(key(code), [&] {
+      const FT_UInt index = FT_Get_Char_Index(face, code);
+      const bool loaded = load(index);
+      return Letter{index, loaded ? static_cast<float>(face->glyph->linearHoriAdvance) / 65536 : 0};
     });
   }
 
   float kerning_px(FT_UInt before, FT_UInt index) {
-    const std::uint64_t pair = key(before) << 16 | index;
-    return kernings.get(
-        pair, [&] { return static_cast<float>(kerning(before, index, FT_KERNING_UNFITTED)) / 64; });
+    if (!before || !kerned) return 0;
+    return kernings.get(key(before) << 16 | index, [&] {
+      apply_size();
+      return static_cast<float>(kerning(before, index, FT_KERNING_UNFITTED)) / 64;
+    });
   }
 
   const GlyphCoverage& glyph(FT_UInt index, int phase) {
@@ -193,36 +202,33 @@ struct Font::State {
 
   FT_Pos kerning(FT_UInt before, FT_UInt index, FT_Kerning_Mode mode) const {
     FT_Vector shift{0, 0};
-    if (before && FT_HAS_KERNING(face)) FT_Get_Kerning(face, before, index, mode, &shift);
+    if (before && kerned) FT_Get_Kerning(face, before, index, mode, &shift);
     return shift.x;
   }
 
-  /// Calls sink(glyph's index, phase, whole pixel of the pen) for each character; returns the pen
-  /// after the last.
+  /// Calls sink(glyph's index, pen) for each character; returns the pen after the last.
   template <typename Sink>
   float lay_out(float x_px, std::string_view text, float size_px, Sink&& sink) {
     set_size(size_px);
     float pen = x_px;
     FT_UInt before = 0;
     for_each_code_point(text, [&](char32_t code) {
-      const FT_UInt index = index_of(code);
-      pen += kerning_px(before, index);
-      const float quarters = std::floor(pen * kPhases + 0.5f);
-      const int whole = static_cast<int>(std::floor(quarters / kPhases));
-      sink(index, static_cast<int>(quarters) - whole * kPhases, whole);
-      pen += advance_px(index);
-      before = index;
+      const Letter next = letter(code);
+      pen += kerning_px(before, next.index);
+      sink(next.index, pen);
+      pen += next.advance_px;
+      before = next.index;
     });
     return pen;
   }
 
   FT_Library library = nullptr;
   FT_Face face = nullptr;
-  FT_F26Dot6 size = 0;
+  FT_F26Dot6 size = 0, applied_size = 0;
+  bool kerned = false;
   std::unordered_map<std::uint64_t, GlyphCoverage> glyphs;
   // What the last characters needed, so that text allocates and searches nothing.
-  DirectCache<FT_UInt, 512> indices;
-  DirectCache<float, 512> advances;
+  DirectCache<Letter, 512> letters;
   DirectCache<float, 1024> kernings;
   DirectCache<const GlyphCoverage*, 1024> recent;
   GlyphPainter painter;
@@ -237,7 +243,7 @@ Font Font::sans() { return Font(bytes_of(embedded::dejavu_sans())); }
 Font Font::mono() { return Font(bytes_of(embedded::dejavu_sans_mono())); }
 
 float Font::width_px(std::string_view text, float size_px) const {
-  return state_->lay_out(0, text, size_px, [](FT_UInt, int, int) {});
+  return state_->lay_out(0, text, size_px, [](FT_UInt, float) {});
 }
 
 float Font::ascent_px(float size_px) const {
@@ -281,8 +287,11 @@ float Font::units_per_em() const { return static_cast<float>(state_->face->units
 float Font::draw(Image<Srgb8>& picture, float x_px, float y_px, std::string_view text,
                  float size_px, Srgb8 colour) const {
   const int baseline = static_cast<int>(std::lround(y_px));
-  return state_->lay_out(x_px, text, size_px, [&](FT_UInt index, int phase, int pen) {
-    state_->painter.draw(picture, state_->glyph(index, phase), pen, baseline, colour);
+  return state_->lay_out(x_px, text, size_px, [&](FT_UInt index, float pen) {
+    const float quarters = std::floor(pen * kPhases + 0.5f);
+    const int whole = static_cast<int>(std::floor(quarters / kPhases));
+    const int phase = static_cast<int>(quarters) - whole * kPhases;
+    state_->painter.draw(picture, state_->glyph(index, phase), whole, baseline, colour);
   });
 }
 

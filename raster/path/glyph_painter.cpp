@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <utility>
 
 #include "raster/image/draw.h"
 
@@ -13,14 +14,24 @@ void lay(Srgb8& below, LinearRgba light, std::uint8_t coverage) {
   blend(below, light, static_cast<float>(coverage) / 255);
 }
 
-/// Where the first covered pixel of a row lies; `count` if there is none.
-int first_covered(const std::uint8_t* coverage, int count) {
-  int x = 0;
-  while (x < count && coverage[x] == 0) ++x;
-  return x;
-}
-
 }  // namespace
+
+GlyphCoverage::GlyphCoverage(int left, int top, int width, std::vector<std::uint8_t> pixels)
+    : left_(left),
+      top_(top),
+      width_(width),
+      height_(width > 0 ? static_cast<int>(pixels.size()) / width : 0),
+      pixels_(std::move(pixels)) {
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_;) {
+      const int begin = x;
+      const auto kind = [&] { return *at(x, y) == 0 ? 0 : *at(x, y) == 255 ? 2 : 1; };
+      const int first = kind();
+      while (x < width_ && kind() == first) ++x;
+      if (first != 0) runs_.push_back({begin, y, x - begin, first == 2});
+    }
+  }
+}
 
 /// None for a ground that one character alone stands on so far: of a photograph's there is no end.
 const GlyphPainter::Mixture* GlyphPainter::mixture(Srgb8 ground, Srgb8 ink) {
@@ -43,29 +54,35 @@ const GlyphPainter::Mixture* GlyphPainter::mixture(Srgb8 ground, Srgb8 ink) {
 
 void GlyphPainter::draw(Image<Srgb8>& picture, const GlyphCoverage& glyph, int pen, int baseline,
                         Srgb8 ink) {
-  const int left = pen + glyph.left, top = baseline + glyph.top;
-  const Rect area =
-      clipped({left, top, glyph.width, glyph.height}, picture.width(), picture.height());
+  const int left = pen + glyph.left(), top = baseline + glyph.top();
+  const Rect box{left, top, glyph.width(), glyph.height()};
+  const Rect area = clipped(box, picture.width(), picture.height());
+  const bool cut = !(area == box);
   const LinearRgba light = decode(ink);
   const Mixture* on = nullptr;
   bool any = false;
-  for (int y = area.y; y < area.y + area.height; ++y) {
-    const std::uint8_t* const coverage =
-        glyph.pixels.data() + (y - top) * glyph.width + (area.x - left);
-    Srgb8* const row = picture.row(y) + area.x;
-    int x = first_covered(coverage, area.width);
-    if (x == area.width) continue;
-    if (!any) on = mixture(row[x], ink);
-    any = true;
-    if (!on) {
-      for (; x < area.width; ++x) lay(row[x], light, coverage[x]);
+  for (GlyphCoverage::Run run : glyph.runs()) {
+    int x = left + run.x;
+    const int y = top + run.y;
+    if (cut) {
+      const int end = std::min(x + run.length, area.x + area.width);
+      x = std::max(x, area.x);
+      if (y < area.y || y >= area.y + area.height || x >= end) continue;
+      run.length = end - x;
+    }
+    Srgb8* const row = picture.row(y) + x;
+    if (run.whole && ink.a == 255) {
+      std::fill_n(row, run.length, ink);
       continue;
     }
-    for (; x < area.width; ++x) {
-      if (row[x] == on->ground) {
-        row[x] = on->mixed[coverage[x]];
+    if (!any) on = mixture(*row, ink);
+    any = true;
+    const std::uint8_t* const coverage = glyph.at(x - left, run.y);
+    for (int i = 0; i < run.length; ++i) {
+      if (on && row[i] == on->ground) {
+        row[i] = on->mixed[coverage[i]];
       } else {
-        lay(row[x], light, coverage[x]);
+        lay(row[i], light, coverage[i]);
       }
     }
   }

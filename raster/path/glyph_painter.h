@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "raster/colour/colour.h"
@@ -11,10 +12,29 @@
 namespace kinescope {
 
 /// The coverage of one character, its corner given from the pen's whole pixel and the baseline.
-struct GlyphCoverage {
-  int left = 0, top = 0;
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> pixels;  ///< row by row from the top, 255 is covered
+class GlyphCoverage {
+ public:
+  /// Pixels of a row that are covered in part, or wholly.
+  struct Run {
+    int x, y, length;
+    bool whole;
+  };
+
+  GlyphCoverage() = default;
+  /// @param pixels row by row from the top, 255 is covered
+  GlyphCoverage(int left, int top, int width, std::vector<std::uint8_t> pixels);
+
+  int left() const { return left_; }
+  int top() const { return top_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::span<const Run> runs() const { return runs_; }
+  const std::uint8_t* at(int x, int y) const { return pixels_.data() + y * width_ + x; }
+
+ private:
+  int left_ = 0, top_ = 0, width_ = 0, height_ = 0;
+  std::vector<std::uint8_t> pixels_;
+  std::vector<Run> runs_;
 };
 
 /// The same as blend() of each pixel, sooner: text stands on an even ground nearly everywhere, so

@@ -145,6 +145,9 @@ TEST(MedianFilter, IsTheMiddleOfTheSortedWindow) {
 TEST(Enhancement, EachIsWhatItsNameSays) {
   const GreyImage image = noise(9, 8, 4, 60);
   const Histogram counts = histogram(image);
+  const auto bytes = [](const GreyImage& of) {
+    return std::vector<std::uint8_t>(of.pixels().begin(), of.pixels().end());
+  };
   const auto result = [&](Enhancement kind, double amount) {
     GreyImage out(image.width(), image.height());
     int at = 0;
@@ -153,13 +156,13 @@ TEST(Enhancement, EachIsWhatItsNameSays) {
       out.at(x, y) = tone;
     });
     EXPECT_EQ(at, 72);
-    return out.pixels();
+    return bytes(out);
   };
-  const auto by = [&](const ToneCurve& curve) { return with_curve(image, curve).pixels(); };
+  const auto by = [&](const ToneCurve& curve) { return bytes(with_curve(image, curve)); };
   const auto summed = [&](const Convolution& mask) {
     GreyImage out(image.width(), image.height());
     convolve(image, mask, [&](int x, int y, std::uint8_t tone) { out.at(x, y) = tone; });
-    return out.pixels();
+    return bytes(out);
   };
   EXPECT_EQ(result(Enhancement::kStretch, 1), by(stretching_curve(counts, 0.005)));
   EXPECT_EQ(result(Enhancement::kEqualize, 1), by(equalizing_curve(counts)));
