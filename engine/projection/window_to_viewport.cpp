@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "raster/base/error.h"
 
@@ -23,9 +24,9 @@ glm::dmat3 viewport_from_window(const Window& window, const Window& viewport) {
 }
 
 Window of_same_shape(const Window& window, const Window& viewport) {
-  const glm::dvec2 size = window.high - window.low;
-  const glm::dvec2 scale = (viewport.high - viewport.low) / size;
-  return {viewport.low, viewport.low + std::min(scale.x, scale.y) * size};
+  const glm::dvec2 size = viewport.high - viewport.low, shape = glm::abs(window.high - window.low);
+  const glm::dvec2 scale = glm::abs(size) / shape;
+  return {viewport.low, viewport.low + glm::sign(size) * std::min(scale.x, scale.y) * shape};
 }
 
 }  // namespace kinescope

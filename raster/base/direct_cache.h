@@ -13,10 +13,10 @@ class DirectCache {
   static_assert((kPlaces & (kPlaces - 1)) == 0 && kPlaces >= 2);
 
  public:
-  /// The value of a key, made by make() unless it is at hand.
+  /// The value of a key, made by make() unless it is at hand; good until the next call.
   /// @param key less than 2^64 - 1
   template <typename Make>
-  const Value& get(std::uint64_t key, Make&& make) {
+  Value& get(std::uint64_t key, Make&& make) {
     Entry& entry = entries_[place(key)];
     if (entry.key != key) {
       entry.value = make();

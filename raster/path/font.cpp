@@ -4,6 +4,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -169,12 +170,13 @@ struct Font::State {
   struct Letter {
     FT_UInt index = 0;
     float advance_px = 0;
+    std::array<const GlyphCoverage*, kPhases> at_phase{};  ///< those that were drawn
   };
-  const Letter& letter(char32_t code) {
+  Letter& letter(char32_t code) {
     return letters.get(key(code), [&] {
       const FT_UInt index = FT_Get_Char_Index(face, code);
-      const bool loaded = load(index);
-      return Letter{index, loaded ? static_cast<float>(face->glyph->linearHoriAdvance) / 65536 : 0};
+      const float advance = load(index) ? float(face->glyph->linearHoriAdvance) / 65536 : 0;
+      return Letter{index, advance};
     });
   }
 
@@ -186,18 +188,19 @@ struct Font::State {
     });
   }
 
-  const GlyphCoverage& glyph(FT_UInt index, int phase) {
-    const std::uint64_t place = key(index) | static_cast<std::uint64_t>(phase);
-    return *recent.get(place, [&] {
-      const auto [at, is_new] = glyphs.try_emplace(place);
-      FT_Outline& outline = face->glyph->outline;
-      if (is_new && load(index) && face->glyph->format == FT_GLYPH_FORMAT_OUTLINE &&
-          outline.n_points > 0) {
-        FT_Outline_Translate(&outline, phase * 64 / kPhases, 0);
-        at->second = scan_convert(outline);
-      }
-      return &at->second;
-    });
+  const GlyphCoverage& glyph(Letter& letter, int phase) {
+    const GlyphCoverage*& known = letter.at_phase[static_cast<std::size_t>(phase)];
+    if (known) return *known;
+    const auto [at, is_new] =
+        glyphs.try_emplace(key(letter.index) | static_cast<std::uint64_t>(phase));
+    FT_Outline& outline = face->glyph->outline;
+    if (is_new && load(letter.index) && face->glyph->format == FT_GLYPH_FORMAT_OUTLINE &&
+        outline.n_points > 0) {
+      FT_Outline_Translate(&outline, phase * 64 / kPhases, 0);
+      at->second = scan_convert(outline);
+    }
+    known = &at->second;
+    return *known;
   }
 
   FT_Pos kerning(FT_UInt before, FT_UInt index, FT_Kerning_Mode mode) const {
@@ -206,16 +209,16 @@ struct Font::State {
     return shift.x;
   }
 
-  /// Calls sink(glyph's index, pen) for each character; returns the pen after the last.
+  /// Calls sink(letter, pen) for each character; returns the pen after the last.
   template <typename Sink>
   float lay_out(float x_px, std::string_view text, float size_px, Sink&& sink) {
     set_size(size_px);
     float pen = x_px;
     FT_UInt before = 0;
     for_each_code_point(text, [&](char32_t code) {
-      const Letter next = letter(code);
+      Letter& next = letter(code);
       pen += kerning_px(before, next.index);
-      sink(next.index, pen);
+      sink(next, pen);
       pen += next.advance_px;
       before = next.index;
     });
@@ -228,9 +231,8 @@ struct Font::State {
   bool kerned = false;
   std::unordered_map<std::uint64_t, GlyphCoverage> glyphs;
   // What the last characters needed, so that text allocates and searches nothing.
-  DirectCache<Letter, 512> letters;
-  DirectCache<float, 1024> kernings;
-  DirectCache<const GlyphCoverage*, 1024> recent;
+  DirectCache<Letter, 256> letters;
+  DirectCache<float, 4096> kernings;
   GlyphPainter painter;
 };
 
@@ -243,7 +245,7 @@ Font Font::sans() { return Font(bytes_of(embedded::dejavu_sans())); }
 Font Font::mono() { return Font(bytes_of(embedded::dejavu_sans_mono())); }
 
 float Font::width_px(std::string_view text, float size_px) const {
-  return state_->lay_out(0, text, size_px, [](FT_UInt, float) {});
+  return state_->lay_out(0, text, size_px, [](State::Letter&, float) {});
 }
 
 float Font::ascent_px(float size_px) const {
@@ -287,12 +289,23 @@ float Font::units_per_em() const { return static_cast<float>(state_->face->units
 float Font::draw(Image<Srgb8>& picture, float x_px, float y_px, std::string_view text,
                  float size_px, Srgb8 colour) const {
   const int baseline = static_cast<int>(std::lround(y_px));
-  return state_->lay_out(x_px, text, size_px, [&](FT_UInt index, float pen) {
+  // A character is drawn when the next one's pixels have been asked for.
+  const GlyphCoverage* waiting = nullptr;
+  int waiting_pen = 0;
+  const auto draw_waiting = [&] {
+    if (waiting) state_->painter.draw(picture, *waiting, waiting_pen, baseline, colour);
+  };
+  const float end = state_->lay_out(x_px, text, size_px, [&](State::Letter& letter, float pen) {
     const float quarters = std::floor(pen * kPhases + 0.5f);
     const int whole = static_cast<int>(std::floor(quarters / kPhases));
     const int phase = static_cast<int>(quarters) - whole * kPhases;
-    state_->painter.draw(picture, state_->glyph(index, phase), whole, baseline, colour);
+    const GlyphCoverage& glyph = state_->glyph(letter, phase);
+    GlyphPainter::ask_ahead(picture, glyph, whole, baseline);
+    draw_waiting();
+    waiting = &glyph, waiting_pen = whole;
   });
+  draw_waiting();
+  return end;
 }
 
 }  // namespace kinescope

@@ -14,9 +14,9 @@ namespace kinescope {
 /// The coverage of one character, its corner given from the pen's whole pixel and the baseline.
 class GlyphCoverage {
  public:
-  /// Pixels of a row that are covered in part, or wholly.
+  /// Covered pixels of a row; long runs of wholly covered ones are apart from others.
   struct Run {
-    int x, y, length;
+    std::int16_t x, y, length;
     bool whole;
   };
 
@@ -44,11 +44,14 @@ class GlyphPainter {
  public:
   GlyphPainter() : mixtures_(kMixtures) {}
   void draw(Image<Srgb8>& picture, const GlyphCoverage& glyph, int pen, int baseline, Srgb8 ink);
+  /// Rows of a picture lie far apart: memory is asked for them before they are needed.
+  static void ask_ahead(const Image<Srgb8>& picture, const GlyphCoverage& glyph, int pen,
+                        int baseline);
 
  private:
   static constexpr std::size_t kMixtures = 16;
   struct Mixture {
-    Srgb8 ground{}, ink{};
+    std::uint32_t ground = 0, ink = 0;  ///< four bytes each
     int met = 0;  ///< by how many characters, up to 2; the second pays for the table
     std::array<Srgb8, 256> mixed;
   };
