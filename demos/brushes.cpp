@@ -1,5 +1,7 @@
 #include "demos/brushes.h"
 
+#include <glm/common.hpp>
+
 #include "raster/fill/flood_fill.h"
 #include "raster/scan/midpoint_ellipse.h"
 #include "raster/scan/thick_pen.h"

@@ -6,13 +6,13 @@
 #include <sstream>
 
 #include "demos/lesson/lesson.h"
+#include "demos/ui/side.h"
 #include "demos/ui/theme.h"
 #include "demos/ui/widgets.h"
 
 namespace kinescope {
 namespace {
 
-constexpr float kHintRoom = 86;        // below the picture, with the window's own line
 constexpr std::size_t kMostLit = 256;  // pixels of a step: fewer have a frame around each
 
 /// Nothing of a value that is none.
@@ -30,10 +30,7 @@ Rect Lesson::side() const {
   const float margin = theme::kMargin * theme::scale_for(height());
   const auto w = static_cast<float>(width()), h = static_cast<float>(height());
   if (portrait()) return {w, 0, 0, h};
-  // In a wide window the panel has some of the room that the picture leaves.
-  const float scale = theme::scale_for(height()), least = Form::kWidth * scale;
-  const float left = w - (h - kHintRoom * scale) * World::kScreenWidth / World::kScreenHeight;
-  const float across = std::floor(std::min(std::clamp(left, least, 1.25f * least), w * 0.4f));
+  const float across = std::floor(std::min(side_width(width(), height()), w * 0.4f));
   return {w - across, 0, across, h - std::floor(std::min(margin, h * 0.01f))};
 }
 
