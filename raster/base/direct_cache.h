@@ -18,10 +18,8 @@ class DirectCache {
   template <typename Make>
   Value& get(std::uint64_t key, Make&& make) {
     Entry& entry = entries_[place(key)];
-    if (entry.key != key) {
-      entry.value = make();
-      entry.key = key;
-    }
+    if (entry.key != key) [[unlikely]]
+      fill(entry, key, make);
     return entry.value;
   }
 
@@ -31,6 +29,12 @@ class DirectCache {
     std::uint64_t key = kNone;
     Value value{};
   };
+  /// Apart, so that what is at hand needs few registers.
+  template <typename Make>
+  [[gnu::noinline]] static void fill(Entry& entry, std::uint64_t key, Make& make) {
+    entry.value = make();
+    entry.key = key;
+  }
   /// Fibonacci hashing. Source: D. E. Knuth, "The Art of Computer Programming", vol. 3, 6.4.
   static std::size_t place(std::uint64_t key) {
     return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 40) & (kPlaces - 1);
