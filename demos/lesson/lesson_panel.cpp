@@ -253,10 +253,13 @@ void Lesson::draw_over(Canvas& canvas) const {
   if (portrait()) return;
   const float scale = theme::scale_for(height());
   const float left = theme::kMargin * scale, size = theme::kBody * scale;
-  float y = static_cast<float>(height()) - (kHintRoom - 20) * scale;
-  for (const std::string& line : wrap(studio().sans, plan_.look_for, size, side().x - 2 * left)) {
+  const auto lines = wrap(studio().sans, plan_.look_for, size, side().x - 2 * left);
+  // There is room for two; where the window is narrow, more begin higher.
+  const float step = size * 1.25f, more = std::max(0.0f, static_cast<float>(lines.size()) - 2);
+  float y = static_cast<float>(height()) - (kHintRoom - 20) * scale - more * step;
+  for (const std::string& line : lines) {
     canvas.text(studio().sans, {left, y}, line, size, theme::kDim);
-    y += size * 1.25f;
+    y += step;
   }
   const LessonScreen::Spot spot = screen_.spot(world, mouse_.x, mouse_.y);
   if (screen_.face().contains(static_cast<float>(mouse_.x), static_cast<float>(mouse_.y))) {
