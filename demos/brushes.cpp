@@ -1,5 +1,7 @@
 #include "demos/brushes.h"
 
+#include <glm/common.hpp>
+
 #include "raster/fill/flood_fill.h"
 #include "raster/scan/midpoint_ellipse.h"
 #include "raster/scan/thick_pen.h"
@@ -18,6 +20,18 @@ void paint_box(const Brush& brush, glm::ivec2 from, glm::ivec2 to, int width) {
 void paint_ellipse(const Brush& brush, glm::ivec2 centre, glm::ivec2 radii, int width) {
   for (MidpointEllipse e(radii); e.next();) {
     four_way(centre, e.at(), [&](int x, int y) { paint_line(brush, {x, y}, {x, y}, width); });
+  }
+}
+
+void paint_figure(const Brush& brush, BrushFigure figure, glm::ivec2 from, glm::ivec2 to,
+                  int width) {
+  switch (figure) {
+    case BrushFigure::kLine:
+      return paint_line(brush, from, to, width);
+    case BrushFigure::kBox:
+      return paint_box(brush, from, to, width);
+    case BrushFigure::kEllipse:
+      return paint_ellipse(brush, from, glm::abs(to - from), width);
   }
 }
 

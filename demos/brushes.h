@@ -31,6 +31,11 @@ void paint_line(const Brush& brush, glm::ivec2 from, glm::ivec2 to, int width);
 void paint_box(const Brush& brush, glm::ivec2 from, glm::ivec2 to, int width);
 void paint_ellipse(const Brush& brush, glm::ivec2 centre, glm::ivec2 radii, int width);
 
+/// What is stretched from one point to another like a rubber band; an ellipse about the first.
+enum class BrushFigure { kLine, kBox, kEllipse };
+void paint_figure(const Brush& brush, BrushFigure figure, glm::ivec2 from, glm::ivec2 to,
+                  int width);
+
 /// A house under the sun, so that there is something to fill.
 Image<Srgb8> first_painting(int width, int height);
 /// The same with other pixels, each the nearest.

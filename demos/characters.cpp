@@ -76,7 +76,7 @@ class Characters : public ClonableDemo<Characters, Lesson> {
   Course strokes(int size) const {
     Track track("Hershey strokes", {"from x", "y", "to x", "y"});
     Course course;
-    const double scale = double(size) / StrokeFont::kCapitalHeight;
+    const double scale = double(size) / StrokeFont::kEm;
     const StrokeFont font = StrokeFont::roman_simplex();
     font.draw(words(), corner(0), scale, [&](glm::dvec2 a, glm::dvec2 b) {
       for (BresenhamSteps line(glm::ivec2(glm::floor(a)), glm::ivec2(glm::floor(b)));
@@ -92,25 +92,8 @@ class Characters : public ClonableDemo<Characters, Lesson> {
     return course;
   }
 
-  /// All of the text in the font's units.
-  Path line_of_text() const {
-    Path line;
-    std::size_t read = 0;  // characters' bytes
-    for_each_code_point(words(), [&](char32_t code) {
-      const float pen =
-          studio().sans.width_px(words().substr(0, read), studio().sans.units_per_em());
-      while (++read < words().size() &&
-             (static_cast<unsigned char>(words()[read]) & 0xc0) == 0x80) {
-      }
-      const Path glyph = studio().sans.outline(code);
-      line.verbs.insert(line.verbs.end(), glyph.verbs.begin(), glyph.verbs.end());
-      for (const glm::vec2 p : glyph.points) line.points.push_back(p + glm::vec2(pen, 0));
-    });
-    return line;
-  }
-
   Course outline(int size) const {
-    const Path path = line_of_text();
+    const Path path = studio().sans.line_outline(words());
     const float scale = static_cast<float>(size) / studio().sans.units_per_em();
     const glm::vec2 pen = corner(0) - 0.5;
     const PixelsFromPath place({scale, 0}, {0, -scale}, pen);

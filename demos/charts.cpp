@@ -62,16 +62,8 @@ class Charts : public ClonableDemo<Charts, Lesson> {
 
   Course record() const override {
     Course course;
-    switch (knob(kKind).index()) {
-      case kBars:
-        course.tracks.push_back(bars());
-        break;
-      case kLine:
-        course.tracks.push_back(line());
-        break;
-      default:
-        course.tracks.push_back(pie());
-    }
+    const int kind = knob(kKind).index();
+    course.tracks.push_back(kind == kBars ? bars() : kind == kLine ? line() : pie());
     return course;
   }
 

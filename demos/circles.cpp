@@ -16,7 +16,7 @@ class Circles : public ClonableDemo<Circles, Lesson> {
                          "method differ from the midpoint's? Drag the centre, type a radius.",
              .handles = {{"centre", {0.5, 0.5}}},
              .figures = {{"radius", 10, 0, 40, 1}},
-             .resolution = 2,
+             .resolution = 3,
              .speed = 2},
             {choice_knob("method", {"1", "2", "3", "4", "5"},
                          {"explicit", "parametric", "DDA", "Bresenham", "midpoint"}, method,

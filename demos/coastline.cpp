@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "demos/covering_plot.h"
 #include "demos/lesson/chart.h"
 #include "engine/fractals/dimension.h"
 #include "engine/fractals/generator_curve.h"
@@ -106,30 +107,6 @@ class Coastline : public ClonableDemo<Coastline, Lesson> {
     return track;
   }
 
-  /// Counts over sizes, both as logarithms, and the line that fits them.
-  Track plotted(Course& course, const std::vector<Covering>& coverings, double slope) const {
-    Track track("log count over -log size", {}, 1);
-    const auto at = [](const Covering& c) {
-      return glm::dvec2(-std::log(c.size), std::log(c.count));
-    };
-    const glm::dvec2 low = at(coverings.front()), high = at(coverings.back());
-    const Chart chart(world(), {low.x, 0}, {high.x, std::max(high.y, 1.0)});
-    chart.axes(course, 1, {low.x, 0});
-    glm::dvec2 mean(0);
-    for (const Covering& c : coverings) mean += at(c) / double(coverings.size());
-    const auto fitted = [&](double x) { return chart.place({x, mean.y + slope * (x - mean.x)}); };
-    course.guides.push_back({fitted(low.x), fitted(high.x), theme::kGreen, 1});
-    for (int i = 0; i < kSizes; ++i) {
-      const glm::dvec2 p = chart.place(at(coverings[static_cast<std::size_t>(i)]));
-      const Srgb8 ink = i == knob(kSize).index() ? theme::kAccent : theme::kText;
-      for (const double off : {-1.0, 0.0, 1.0}) {
-        ink_line(track, world(), p + glm::dvec2(-1, off), p + glm::dvec2(1, off), ink);
-      }
-    }
-    track.step({});
-    return track;
-  }
-
   Course record() const override {
     const Points coast = this->coast();
     const std::vector<Covering> coverings = measured(coast);
@@ -141,8 +118,10 @@ class Coastline : public ClonableDemo<Coastline, Lesson> {
     InkPen pen(theme::kText);
     for (const glm::dvec2& p : coast) pen.to(shore, world(), p);
     shore.step({});
-    course.tracks = {std::move(shore), plotted(course, coverings, fit.dimension),
-                     boxes ? covered(coast, now.size) : walked(coast, now.size)};
+    course.tracks = {
+        std::move(shore),
+        covering_plot(course, world(), 1, {coverings, fit.dimension, knob(kSize).index()}),
+        boxes ? covered(coast, now.size) : walked(coast, now.size)};
     if (boxes) {
       course.remarks = {fmt::format("boxes of {:.2f} pixels: {:.0f}", now.size, now.count)};
     } else {

@@ -1,6 +1,7 @@
 // Two cubic pieces and their joint: derivatives and curvature on both sides of it, measured.
 #include <fmt/format.h>
 
+#include "demos/hodograph.h"
 #include "demos/lesson/chart.h"
 #include "engine/curves/continuity.h"
 
@@ -56,45 +57,6 @@ class ContinuityDemo : public ClonableDemo<ContinuityDemo, Lesson> {
     return {p, q};
   }
 
-  /// A curve and its derivatives as points, the first from the axes' cross.
-  Track plane(const char* name, int pane, const std::array<Points, 2>& curves,
-              const FittedFigure* fitted) const {
-    Track track(name, {}, pane);
-    for (std::size_t piece = 0; piece < 2; ++piece) {
-      InkPen pen(kChartInks[1 + piece]);
-      for (int i = 0; i <= kSteps; ++i) {
-        const glm::dvec2 p =
-            bezier_point(std::span<const glm::dvec2>(curves[piece]), double(i) / kSteps);
-        pen.to(track, world(), fitted ? fitted->place(world(), p) : p);
-        track.step({});
-      }
-    }
-    return track;
-  }
-
-  Track derivative(Course& course, const char* name, int pane,
-                   const std::array<Points, 2>& curves) const {
-    FittedFigure figure;  // y grows downwards in both panes
-    const auto flipped = [&](Points points) {
-      for (glm::dvec2& p : points) p.y = -p.y;
-      return points;
-    };
-    const std::array<Points, 2> up = {flipped(curves[0]), flipped(curves[1])};
-    for (const Points& points : up) {
-      for (const glm::dvec2& p : points) figure.hold(p);
-    }
-    figure.hold({0, 0});
-    const glm::dvec2 origin = figure.place(world(), {0, 0});
-    const auto size = glm::dvec2(world().columns(), world().rows());
-    const Srgb8 dim = theme::with_alpha(theme::kDim, 110);
-    course.guides.push_back({{0, origin.y}, {size.x, origin.y}, dim, pane});
-    course.guides.push_back({{origin.x, 0}, {origin.x, size.y}, dim, pane});
-    // The joint's two vectors: of G1 they point the same way, of C1 they are one.
-    course.guides.push_back({origin, figure.place(world(), up[0].back()), kChartInks[1], pane});
-    course.guides.push_back({origin, figure.place(world(), up[1].front()), kChartInks[2], pane});
-    return plane(name, pane, up, &figure);
-  }
-
   Track bend(Course& course, const std::array<Points, 2>& curves) const {
     Track track("curvature", {"u", "curvature"}, kCurvaturePane);
     const double most = 16.0 / world().columns();  // a circle of a pane's sixteenth
@@ -131,9 +93,10 @@ class ContinuityDemo : public ClonableDemo<ContinuityDemo, Lesson> {
       second[i] = bezier_derivative(std::span<const glm::dvec2>(first[i]));
       guide_chain(course, curve[i], theme::with_alpha(kChartInks[1 + i], 120), kCurvePane);
     }
-    course.tracks.push_back(plane("curve", kCurvePane, curve, nullptr));
-    course.tracks.push_back(derivative(course, "first derivative", kFirstPane, first));
-    course.tracks.push_back(derivative(course, "second derivative", kSecondPane, second));
+    const PiecesPlan plan{world(), kSteps};
+    course.tracks.push_back(pieces_track(plan, "curve", kCurvePane, curve));
+    course.tracks.push_back(hodograph(plan, "first derivative", kFirstPane, first, course));
+    course.tracks.push_back(hodograph(plan, "second derivative", kSecondPane, second, course));
     course.tracks.push_back(bend(course, curve));
     const auto before = bezier_end(std::span<const glm::dvec2>(curve[0]), true);
     const auto after = bezier_end(std::span<const glm::dvec2>(curve[1]), false);

@@ -3,8 +3,7 @@
 
 #include <numbers>
 
-#include "demos/lesson/ink_lines.h"
-#include "demos/lesson/lesson.h"
+#include "demos/lesson/chart.h"
 #include "engine/clip/clip_curve.h"
 #include "engine/clip/outcode.h"
 #include "engine/curves/bezier.h"
@@ -41,56 +40,28 @@ class CurveClipping : public ClonableDemo<CurveClipping, Lesson> {
   ClipWindow between(int i, int j) const {
     check_coordinates(pixel(i));
     check_coordinates(pixel(j));
-    const glm::dvec2 a = named_point(i), b = named_point(j);
-    return {glm::min(a, b), glm::max(a, b)};
+    return ClipWindow::between(named_point(i), named_point(j));
   }
 
   void add_box(Course& course, const ClipWindow& box, Srgb8 colour) const {
-    const std::array<glm::dvec2, 4> c = {
-        box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      course.guides.push_back({world().middle_of(c[i]), world().middle_of(c[(i + 1) % 4]), colour});
-    }
-  }
-
-  /// What the box alone tells.
-  std::string verdict(const ClipWindow& window, const ClipWindow& box) const {
-    if (window.contains(box.min) && window.contains(box.max)) return "all inside: kept";
-    const glm::dvec2 low = box.min, high = box.max;
-    const Outcode all = outcode(window, low) & outcode(window, high) &
-                        outcode(window, {low.x, high.y}) & outcode(window, {high.x, low.y});
-    return all ? "beyond a side: dropped" : "across: the curve decides";
+    guide_rectangle(course, world().middle_of(box.min), world().middle_of(box.max), colour);
   }
 
   /// A curve in chords: white where a part holds their middles, red elsewhere.
   template <typename Point>
   void walk(Track& track, const ClipWindow& box, const ClipWindow& window,
             const std::vector<CurvePart>& parts, double end, Point&& point) const {
-    const std::string told = "box " + verdict(window, box) + '\n';
-    const auto kept = [&](double t) {
-      return std::any_of(parts.begin(), parts.end(), [&](const CurvePart& part) {
-        return (t >= part.from && t <= part.to) || (t + end >= part.from && t + end <= part.to);
-      });
-    };
+    constexpr std::array kVerdicts = {"box all inside: kept\n", "box beyond a side: dropped\n",
+                                      "box across: the curve decides\n"};
+    const std::string told = kVerdicts[static_cast<std::size_t>(place_of_box(window, box))];
     for (int i = 0; i < kPieces; ++i) {
       const double t = end * i / kPieces, next = end * (i + 1) / kPieces;
       const glm::dvec2 a = point(t), b = point(next);
       ink_line(track, world(), world().middle_of(a), world().middle_of(b), theme::kRed);
-      // The chord's own part, so that colours change at the window's sides.
-      const std::array<double, 2> ends = {t, next};
-      std::vector<double> cuts(ends.begin(), ends.end());
-      for (const CurvePart& part : parts) {
-        for (double u : {part.from, part.to}) {
-          u = u > end ? u - end : u;
-          if (u > t && u < next) cuts.push_back(u);
-        }
-      }
-      std::sort(cuts.begin(), cuts.end());
-      for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-        if (!kept(0.5 * (cuts[k] + cuts[k + 1]))) continue;
-        ink_line(track, world(), world().middle_of(point(cuts[k])),
-                 world().middle_of(point(cuts[k + 1])), theme::kText);
-      }
+      for_each_kept(parts, {t, next}, end, [&](const CurvePart& part) {
+        ink_line(track, world(), world().middle_of(point(part.from)),
+                 world().middle_of(point(part.to)), theme::kText);
+      });
       track.step({next, b.x, b.y}, told);
     }
   }
@@ -127,12 +98,12 @@ class CurveClipping : public ClonableDemo<CurveClipping, Lesson> {
       control.push_back(named_point(i));
     }
     ClipWindow box{control[0], control[0]};
-    for (std::size_t i = 0; i < control.size(); ++i) {
-      box = {glm::min(box.min, control[i]), glm::max(box.max, control[i])};
-      if (i == 0) continue;
-      course.guides.push_back(
-          {world().middle_of(control[i - 1]), world().middle_of(control[i]), theme::kKeyCap});
+    std::vector<glm::dvec2> polygon;
+    for (const glm::dvec2& p : control) {
+      box = {glm::min(box.min, p), glm::max(box.max, p)};
+      polygon.push_back(world().middle_of(p));
     }
+    guide_chain(course, polygon, theme::kKeyCap);
     add_box(course, box, theme::kDim);
     const auto parts = clip_bezier(window, control);
     walk(track, box, window, parts, 1,

@@ -1,40 +1,22 @@
 // Picture enhancement: tone curves by the histogram, convolutions, and the median.
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "demos/lesson/histogram_track.h"
 #include "demos/lesson/lesson.h"
 #include "demos/lesson/photograph.h"
 #include "engine/fractals/random.h"
 #include "raster/base/error.h"
-#include "raster/image/convolution.h"
-#include "raster/image/median_filter.h"
-#include "raster/image/tone_curve.h"
+#include "raster/image/enhancement.h"
 
 namespace kinescope {
 namespace {
 
 enum { kOperation, kSpecks, kFaint };
-enum {
-  kStretch,
-  kEqualize,
-  kContrast,
-  kGamma,
-  kNegative,
-  kBox,
-  kGaussian,
-  kSharpen,
-  kLaplacian,
-  kSobel,
-  kEmboss,
-  kMedian
-};
 enum { kBefore, kAfter, kHistogramBefore, kHistogramAfter };
 
-class Enhancement : public ClonableDemo<Enhancement, Lesson> {
+class EnhancementDemo : public ClonableDemo<EnhancementDemo, Lesson> {
  public:
-  explicit Enhancement(const DemoSetup& setup)
+  explicit EnhancementDemo(const DemoSetup& setup)
       : ClonableDemo(
             setup,
             {.look_for = "A faint picture's tones crowd in the middle of its histogram; curves "
@@ -46,7 +28,7 @@ class Enhancement : public ClonableDemo<Enhancement, Lesson> {
             {choice_knob("operation", {"o"},
                          {"stretch", "equalize", "contrast", "gamma", "negative", "box", "Gaussian",
                           "sharpen", "Laplacian", "Sobel", "emboss", "median"},
-                         kEqualize, "what is done to the picture"),
+                         static_cast<int>(Enhancement::kEqualize), "what is done to the picture"),
              toggle_knob("specks", "x", false, "white and black specks spoil the picture first"),
              toggle_knob("faint", "f", true, "the picture is taken through mist")}),
         seed_(setup.seed) {}
@@ -75,53 +57,18 @@ class Enhancement : public ClonableDemo<Enhancement, Lesson> {
     return amount;
   }
 
-  template <typename Sink>
-  void enhance(const GreyImage& image, Sink&& sink) const {
-    const auto curve = [&](const ToneCurve& by) {
-      for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) sink(x, y, by[image.at(x, y)]);
-      }
-    };
-    const int pixels = static_cast<int>(std::lround(amount()));
-    switch (knob(kOperation).index()) {
-      case kStretch:
-        return curve(stretching_curve(histogram(image), 0.005));
-      case kEqualize:
-        return curve(equalizing_curve(histogram(image)));
-      case kContrast:
-        return curve(contrast_curve(amount()));
-      case kGamma:
-        return curve(power_curve(amount()));
-      case kNegative:
-        return curve(negative_curve());
-      case kBox:
-        return convolve(image, box_blur(2 * pixels + 1), sink);
-      case kGaussian:
-        return convolve(image, gaussian_blur(amount()), sink);
-      case kSharpen:
-        return convolve(image, sharpening(amount()), sink);
-      case kLaplacian:
-        return convolve(image, laplacian(), sink);
-      case kSobel:
-        return sobel_edges(image, sink);
-      case kEmboss:
-        return convolve(image, emboss(), sink);
-      default:
-        return median_filter(image, pixels, sink);
-    }
-  }
-
   static Srgb8 grey(std::uint8_t tone) { return {tone, tone, tone, 255}; }
 
   Course record() const override {
     const GreyImage image = subject();
     GreyImage result(image.width(), image.height());
     Track after(knob(kOperation).text(), {"row"}, kAfter);
-    enhance(image, [&](int x, int y, std::uint8_t tone) {
-      result.at(x, y) = tone;
-      after.plot(x, y, grey(tone));
-      if (x + 1 == image.width()) after.step({double(y)});
-    });
+    enhance(image, {Enhancement{knob(kOperation).index()}, amount()},
+            [&](int x, int y, std::uint8_t tone) {
+              result.at(x, y) = tone;
+              after.plot(x, y, grey(tone));
+              if (x + 1 == image.width()) after.step({double(y)});
+            });
     Course course;
     course.papers.resize(1);
     course.papers[0] = Image<Srgb8>(image.width(), image.height());
@@ -154,7 +101,7 @@ DemoInfo enhancement_demo() {
   return {"enhancement",
           "1 Displays and coordinates",
           "A picture enhanced: histogram, contrast, convolution, edges, median",
-          [](const DemoSetup& setup) { return std::make_unique<Enhancement>(setup); },
+          [](const DemoSetup& setup) { return std::make_unique<EnhancementDemo>(setup); },
           1,
           {},
           {"applications: picture enhancement", "imaging"}};

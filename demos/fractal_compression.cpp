@@ -1,7 +1,7 @@
 // A picture told as maps from its larger blocks to its smaller ones, and found again from grey.
 #include <fmt/format.h>
 
-#include "demos/lesson/lesson.h"
+#include "demos/lesson/chart.h"
 #include "engine/fractals/compression.h"
 #include "engine/fractals/plasma.h"
 
@@ -85,10 +85,7 @@ class FractalCompression : public ClonableDemo<FractalCompression, Lesson> {
   void frame(Course& course, int x, int y, int size, Srgb8 colour) const {
     const glm::dvec2 low = glm::dvec2(origin() + zoom() * glm::ivec2(x, y));
     const glm::dvec2 high = low + double(zoom() * size);
-    const glm::dvec2 b(high.x, low.y), d(low.x, high.y);
-    for (const auto& [from, to] : {std::pair(low, b), {b, high}, {high, d}, {d, low}}) {
-      course.guides.push_back({from, to, colour});
-    }
+    guide_rectangle(course, low, high, colour);
   }
 
   /// The block under the handle, and what it is made of.
@@ -103,7 +100,7 @@ class FractalCompression : public ClonableDemo<FractalCompression, Lesson> {
     course.remarks.push_back(fmt::format("block ({}, {}) is made of ({}, {}), turn {}",
                                          x * code.block_px, y * code.block_px, from_x, from_y,
                                          map.turn));
-    course.remarks.push_back(fmt::format("level {:.2f} v {} {:.2f}", map.contrast,
+    course.remarks.push_back(fmt::format("each grey v becomes {:.2f} v {} {:.2f}", map.contrast,
                                          map.brightness < 0 ? '-' : '+', std::abs(map.brightness)));
   }
 

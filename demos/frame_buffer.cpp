@@ -132,10 +132,6 @@ class FrameBufferDemo : public ClonableDemo<FrameBufferDemo> {
   Monitor monitor_;
 };
 
-std::unique_ptr<Demo> create(const DemoSetup& setup) {
-  return std::make_unique<FrameBufferDemo>(setup);
-}
-
 }  // namespace
 
 DemoInfo frame_buffer_demo() {
@@ -143,7 +139,7 @@ DemoInfo frame_buffer_demo() {
       "frame-buffer",
       "1 Displays and coordinates",
       "A colour table in motion, a table split at a line, pages flipped with and without tearing",
-      create,
+      [](const DemoSetup& setup) { return std::make_unique<FrameBufferDemo>(setup); },
       1,
       {},
       {"raster scan: frame buffer, refresh", "bitmap and pixmap of 1 to 8 bits"}};

@@ -8,7 +8,7 @@
 
 #include "demos/lesson/chart.h"
 #include "engine/fractals/dimension.h"
-#include "engine/transform/exact_angle.h"
+#include "engine/fractals/gasket_view.h"
 #include "raster/fill/scanline_fill.h"
 
 namespace kinescope {
@@ -86,47 +86,18 @@ class Gaskets : public ClonableDemo<Gaskets, Lesson> {
                       });
   }
 
-  /// Turned about y and seen from a little above, far pieces first: near ones hide them.
   void tetrahedron(Track& track) const {
-    const auto [s, c] = sine_cosine_deg(knob(kTurn).value);
-    const auto [up, out] = sine_cosine_deg(20);
-    const auto seen = [&](const glm::dvec3& p) {
-      const double z = c * p.z - s * p.x;
-      return glm::dvec3(c * p.x + s * p.z, out * p.y - up * z, out * z + up * p.y);  // z: nearness
-    };
-    const double r = std::sqrt(8.0) / 3, h = std::sqrt(3.0) / 2 * r;
-    std::vector<Tetrahedron> pieces;
-    sierpinski_tetrahedron(
-        {{{0, 1, 0}, {r, -1.0 / 3, 0}, {-r / 2, -1.0 / 3, h}, {-r / 2, -1.0 / 3, -h}}},
-        generations(), [&](const Tetrahedron& t) {
-          pieces.push_back({seen(t[0]), seen(t[1]), seen(t[2]), seen(t[3])});
-        });
-    const auto nearness = [](const Tetrahedron& t) { return t[0].z + t[1].z + t[2].z + t[3].z; };
-    std::stable_sort(pieces.begin(), pieces.end(), [&](const Tetrahedron& a, const Tetrahedron& b) {
-      return nearness(a) < nearness(b);
-    });
-    double piece = 0;
-    for (const Tetrahedron& t : pieces) {
-      draw_faces(track, t);
-      track.step({++piece, glm::length(t[1] - t[2])});
-    }
-  }
-
-  /// The faces that look at the viewer.
-  void draw_faces(Track& track, const Tetrahedron& t) const {
     const glm::dvec2 size(world().columns(), world().rows());
     const auto place = [&](const glm::dvec3& p) {
       return glm::dvec2(0.5 * size.x + 0.5 * size.y * p.x, 0.6 * size.y - 0.5 * size.y * p.y);
     };
-    constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
     constexpr std::array kInks = {theme::kDim, theme::kAccent, theme::kCool, theme::kGreen};
-    for (std::size_t f = 0; f < 4; ++f) {
-      const auto corner = [&](int i) { return t[static_cast<std::size_t>(kFaces[f][i])]; };
-      const glm::dvec3 across = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
-      const glm::dvec3 middle = (t[0] + t[1] + t[2] + t[3]) * 0.25;
-      const bool outwards = glm::dot(across, corner(0) - middle) > 0;
-      if ((across.z > 0) != outwards) continue;
-      fill(track, {{place(corner(0)), place(corner(1)), place(corner(2))}}, kInks[f]);
+    double piece = 0;
+    for (const Tetrahedron& t : seen_tetrahedra(generations(), knob(kTurn).value, 20)) {
+      faces_seen(t, [&](std::size_t face, const Triangle3& corners) {
+        fill(track, {{place(corners[0]), place(corners[1]), place(corners[2])}}, kInks[face]);
+      });
+      track.step({++piece, glm::length(t[1] - t[2])});
     }
   }
 

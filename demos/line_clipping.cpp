@@ -3,6 +3,7 @@
 
 #include "demos/lesson/ink_lines.h"
 #include "demos/lesson/lesson.h"
+#include "demos/region_codes.h"
 #include "engine/clip/cohen_sutherland.h"
 #include "engine/clip/midpoint_subdivision.h"
 
@@ -12,8 +13,6 @@ namespace {
 enum { kMethod };
 enum { kCohenSutherland, kLiangBarsky, kMidpoint };
 enum { kFrom, kTo, kLow, kHigh };
-
-std::string bits(Outcode code) { return fmt::format("{:04b}", static_cast<unsigned>(code)); }
 
 class LineClipping : public ClonableDemo<LineClipping, Lesson> {
  public:
@@ -47,10 +46,7 @@ class LineClipping : public ClonableDemo<LineClipping, Lesson> {
     track.step(std::move(values), std::move(note));
   }
   Segment2 segment() const { return {named_point(kFrom), named_point(kTo)}; }
-  ClipWindow window() const {
-    const glm::dvec2 a = named_point(kLow), b = named_point(kHigh);
-    return {glm::min(a, b), glm::max(a, b)};
-  }
+  ClipWindow window() const { return ClipWindow::between(named_point(kLow), named_point(kHigh)); }
 
   Track cohen_sutherland() const {
     Track track("Cohen-Sutherland", {"x", "y"});
@@ -61,7 +57,7 @@ class LineClipping : public ClonableDemo<LineClipping, Lesson> {
       if (track.steps() > 0) thrown = {clip.moved_from ? before.from : before.to, moved};
       if (clip.state == ClipState::kRejected) thrown = before;
       cut(track, thrown, {moved.x, moved.y},
-          "codes " + bits(clip.from_code) + " " + bits(clip.to_code));
+          "codes " + code_bits(clip.from_code) + " " + code_bits(clip.to_code));
       before = clip.segment;
     } while (clip.next());
     return track;
@@ -117,6 +113,9 @@ class LineClipping : public ClonableDemo<LineClipping, Lesson> {
     for (const double y : {w.min.y, w.max.y}) {
       course.guides.push_back({pane.middle_of({-far.x, y}), pane.middle_of({far.x, y})});
     }
+    if (method == kCohenSutherland) {
+      course.overlay = [pane, w](std::size_t) { return region_codes(pane, w); };
+    }
     const auto left = clip_cohen_sutherland(w, segment());
     course.remarks.push_back(left ? fmt::format("inside: ({:.2f}, {:.2f}) to ({:.2f}, {:.2f})",
                                                 left->from.x, left->from.y, left->to.x, left->to.y)
@@ -125,17 +124,13 @@ class LineClipping : public ClonableDemo<LineClipping, Lesson> {
   }
 };
 
-std::unique_ptr<Demo> create(const DemoSetup& setup) {
-  return std::make_unique<LineClipping>(setup);
-}
-
 }  // namespace
 
 DemoInfo line_clipping_demo() {
   return {"line-clipping",
           "7 Viewing and clipping",
           "Lines clipped by region codes, by parameter and by halving, step by step",
-          create,
+          [](const DemoSetup& setup) { return std::make_unique<LineClipping>(setup); },
           1,
           "drag ends and corners",
           {"Cohen-Sutherland", "Liang-Barsky", "midpoint subdivision"}};

@@ -22,17 +22,18 @@ constexpr double kFinestDouble = 1e-13, kFinest = 1e-250;
 
 Srgb8 colour_of(int time, int most) {
   if (time >= most) return {0, 0, 0, 255};
+  const double turn = 0.35 * std::sqrt(40.0 * time) / 4;
   const auto channel = [&](double phase) {
-    return static_cast<std::uint8_t>(127.5 +
-                                     127 * std::sin(0.35 * std::sqrt(40.0 * time) / 4 + phase));
+    return static_cast<std::uint8_t>(127.5 + 127 * std::sin(turn + phase));
   };
   return {channel(0), channel(1), channel(2.2), 255};
 }
 
-/// As many digits as the panel has room for, and the exponent.
-std::string shortened(const std::string& number) {
-  const std::size_t end = std::min(number.find('e'), number.size());
-  return number.substr(0, std::min<std::size_t>(end, 18)) + number.substr(end);
+/// As many digits as the pixels tell apart, or as the panel has room for, and the exponent.
+std::string shortened(const std::string& number, double step) {
+  const int digits = static_cast<int>(2 - std::log10(step));
+  if (digits < 16) return fmt::format("{:.{}g}", std::stod(number), digits);
+  return number.substr(0, 18) + number.substr(std::min(number.find('e'), number.size()));
 }
 
 class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
@@ -49,9 +50,7 @@ class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
              number_knob("iterations", "3", "4", 50, 2000, 50, 200, "",
                          "after which a point counts as inside"),
              number_knob("c real", "5", "6", -2, 2, 0.01, -0.8, "", "of the Julia set"),
-             number_knob("c imaginary", "7", "8", -2, 2, 0.01, 0.16, "", "of the Julia set")}) {
-    view_.step = 0;  // the whole set, whatever the resolution
-  }
+             number_knob("c imaginary", "7", "8", -2, 2, 0.01, 0.16, "", "of the Julia set")}) {}
 
  private:
   DeepView shown() const {
@@ -121,7 +120,8 @@ class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
     Course course;
     course.tracks.push_back(std::move(track));
     const DeepView view = shown();
-    course.remarks = {"centre " + shortened(view.centre_x), "   and " + shortened(view.centre_y),
+    course.remarks = {"centre " + shortened(view.centre_x, view.step),
+                      "   and " + shortened(view.centre_y, view.step),
                       fmt::format("a pixel is {:.3g} wide", view.step)};
     return course;
   }
@@ -132,10 +132,8 @@ class Mandelbrot : public ClonableDemo<Mandelbrot, Lesson> {
     return true;
   }
 
-  DeepView view_;  // step: the width of the picture
+  DeepView view_{.step = 0};  // the width of the picture; 0: the whole set, at any resolution
 };
-
-std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Mandelbrot>(setup); }
 
 }  // namespace
 
@@ -143,7 +141,7 @@ DemoInfo mandelbrot_demo() {
   return {"mandelbrot",
           "9 Curves and fractals",
           "Mandelbrot and Julia sets by escape time, zoomed by clicks far below doubles",
-          create,
+          [](const DemoSetup& setup) { return std::make_unique<Mandelbrot>(setup); },
           1,
           "left: deeper, right: back",
           {"Mandelbrot and Julia with deep zoom"}};

@@ -1,5 +1,4 @@
-// Shadow masks side by side, from dots that can be counted to ones too fine for the picture's
-// pixels.
+// Shadow masks side by side: dots that can be counted, and ones finer than the picture's pixels.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -136,15 +135,13 @@ class Masks : public ClonableDemo<Masks> {
   FollowedKnobs followed_;
 };
 
-std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Masks>(setup); }
-
 }  // namespace
 
 DemoInfo masks_demo() {
   return {"masks",
           "1 Displays and coordinates",
           "Dots, stripes and slots, from triads that can be counted to an even tint",
-          create,
+          [](const DemoSetup& setup) { return std::make_unique<Masks>(setup); },
           1,
           {},
           {"CRT: shadow masks and aperture grilles"}};

@@ -69,26 +69,16 @@ class Nurbs : public ClonableDemo<Nurbs, Lesson> {
     return nurbs_curve(4, control, weights, open_knots(4, 5));
   }
 
-  /// Each control point's share of the curve: w N over the sum of all.
   Track blending(Course& course, const NurbsCurve& nurbs) const {
     Track track("rational blending functions", {}, 1);
     const Chart chart(world(), {0, 0}, {1, 1});
     chart.axes(course, 1);
-    std::vector<InkPen> pens;
-    for (std::size_t i = 0; i < nurbs.control.size(); ++i) {
-      pens.emplace_back(kChartInks[i % kChartInks.size()]);
-    }
+    std::vector<InkPen> pens = chart_pens(nurbs.control.size());
     for (int k = 0; k <= kSteps; ++k) {
       const double t = double(k) / kSteps;
-      std::vector<double> share;
-      double sum = 0;
-      for (int i = 0; i < nurbs.controls(); ++i) {
-        share.push_back(nurbs.control[static_cast<std::size_t>(i)].z *
-                        b_spline_basis(i, nurbs.order, nurbs.knots, t));
-        sum += share.back();
-      }
-      for (std::size_t i = 0; i < share.size() && sum > 0; ++i) {
-        pens[i].to(track, world(), chart.place({t, share[i] / sum}));
+      const std::vector<double> shares = rational_basis(nurbs, t);
+      for (std::size_t i = 0; i < shares.size(); ++i) {
+        pens[i].to(track, world(), chart.place({t, shares[i]}));
       }
       track.step({});
     }

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "demos/brushes.h"
 #include "demos/lesson/lesson.h"
+#include "demos/undo.h"
 #include "engine/fractals/random.h"
 #include "raster/base/error.h"
 #include "raster/fill/flood_fill.h"
@@ -39,13 +39,13 @@ class Paint : public ClonableDemo<Paint, Lesson> {
     paper_ = first_painting(World::kScreenWidth / 2, World::kScreenHeight / 2);
   }
   std::size_t state_bytes() const override {
-    return Lesson::state_bytes() + (1 + kMostUndone) * 4 * paper_.pixels().size();
+    return Lesson::state_bytes() + (1 + undo_.most()) * 4 * paper_.pixels().size();
   }
 
  private:
-  static constexpr std::size_t kMostUndone = 16;
-
-  Srgb8 ink() const { return kPaints[static_cast<std::size_t>(knob(kColour).index())]; }
+  Brush brush(Image<Srgb8>& paper) const {
+    return {paper, kPaints[static_cast<std::size_t>(knob(kColour).index())]};
+  }
   int width_of_brush() const {
     const int width = whole_figure(0);
     if (width < 1 || width > 100) throw_bad_input("width: from 1 to 100 pixels");
@@ -54,19 +54,15 @@ class Paint : public ClonableDemo<Paint, Lesson> {
 
   /// The figure from where the button went down to here.
   void figure_to(Image<Srgb8>& paper, glm::ivec2 to) const {
-    const Brush brush{paper, ink()};
-    const int width = width_of_brush();
-    if (knob(kTool).index() == kLine) return paint_line(brush, *down_, to, width);
-    if (knob(kTool).index() == kBox) return paint_box(brush, *down_, to, width);
-    paint_ellipse(brush, *down_, glm::abs(to - *down_), width);
+    const BrushFigure figure{knob(kTool).index() - kLine};
+    paint_figure(brush(paper), figure, *down_, to, width_of_brush());
   }
 
   void dab(glm::ivec2 at) {
     if (knob(kTool).index() == kSpray) {
-      spray(glm::dvec2(at) + 0.5, 1.5 * width_of_brush(), kDropsAMove, random_,
-            Brush{paper_, ink()});
+      spray(glm::dvec2(at) + 0.5, 1.5 * width_of_brush(), kDropsAMove, random_, brush(paper_));
     } else {
-      paint_line({paper_, ink()}, last_, at, width_of_brush());
+      paint_line(brush(paper_), last_, at, width_of_brush());
     }
     last_ = at;
   }
@@ -81,22 +77,19 @@ class Paint : public ClonableDemo<Paint, Lesson> {
       last_ = at;
       return true;
     }
-    if (event.kind == InputKind::kMouseUp && down_) {
-      if (knob(kTool).index() > kFill) figure_to(paper_, at);
-      down_.reset();
-      return true;
-    }
-    return false;
+    if (event.kind != InputKind::kMouseUp || !down_) return false;
+    if (knob(kTool).index() > kFill) figure_to(paper_, at);
+    down_.reset();
+    return true;
   }
 
   bool press(const InputEvent& event, glm::ivec2 at) {
     if (event.button == MouseButton::kRight) return pick(paper_.at(at.x, at.y));
     if (event.button != MouseButton::kLeft) return false;
-    before_.push_back(paper_);
-    if (before_.size() > kMostUndone) before_.erase(before_.begin());
+    undo_.keep(paper_);
     down_ = last_ = at;
     if (knob(kTool).index() == kFill) {
-      flood_fill(paper_, at.x, at.y, Connectivity::kFour, Brush{paper_, ink()});
+      flood_fill(paper_, at.x, at.y, Connectivity::kFour, brush(paper_));
     } else if (knob(kTool).index() < kFill) {
       dab(at);
     }
@@ -104,20 +97,15 @@ class Paint : public ClonableDemo<Paint, Lesson> {
   }
 
   bool pick(Srgb8 colour) {
-    for (std::size_t i = 0; i < kPaints.size(); ++i) {
-      if (kPaints[i] == colour) turn(kColour, static_cast<double>(i));
-    }
+    const auto paint = std::find(kPaints.begin(), kPaints.end(), colour);
+    if (paint != kPaints.end()) turn(kColour, static_cast<double>(paint - kPaints.begin()));
     return true;
   }
 
   bool key(const std::string& key) {
-    if (key == "u" && !before_.empty()) {
-      paper_ = std::move(before_.back());
-      before_.pop_back();
-      return true;
-    }
+    if (key == "u") return undo_.take_back(paper_);
     if (key != "x") return false;
-    before_.push_back(paper_);
+    undo_.keep(paper_);
     paper_ = Image<Srgb8>(paper_.width(), paper_.height(), kPaintPaper);
     return true;
   }
@@ -126,7 +114,7 @@ class Paint : public ClonableDemo<Paint, Lesson> {
   void match_paper() {
     if (paper_.width() == world().columns()) return;
     paper_ = sampled(paper_, world().columns(), world().rows());
-    before_.clear();
+    undo_.clear();
   }
 
   Course record() const override {
@@ -136,13 +124,13 @@ class Paint : public ClonableDemo<Paint, Lesson> {
     width_of_brush();
     course.papers.push_back(std::move(shown));
     course.remarks.push_back(fmt::format("{} in {}, {} strokes can be taken back",
-                                         knob(kTool).text(), knob(kColour).text(), before_.size()));
+                                         knob(kTool).text(), knob(kColour).text(), undo_.size()));
     return course;
   }
 
   SeededRandom random_;
   Image<Srgb8> paper_;
-  std::vector<Image<Srgb8>> before_;
+  Undo<Image<Srgb8>> undo_{16};
   std::optional<glm::ivec2> down_;
   glm::ivec2 last_{0};
 };

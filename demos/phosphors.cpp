@@ -134,15 +134,13 @@ class Phosphors : public ClonableDemo<Phosphors> {
   }
 };
 
-std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Phosphors>(setup); }
-
 }  // namespace
 
 DemoInfo phosphors_demo() {
   return {"phosphors",
           "1 Displays and coordinates",
           "Every phosphor after one flash of the beam: how long each glows, and in what colours",
-          create,
+          [](const DemoSetup& setup) { return std::make_unique<Phosphors>(setup); },
           kFirstTimeScale,
           {},
           {"persistence"}};

@@ -102,10 +102,7 @@ class Pipeline : public ClonableDemo<Pipeline> {
 
   /// What the view volume holds, on a screen from (0, 0) to (1, 1) whatever the device.
   void draw_logical(SpaceView pane, const Mesh& mesh, const glm::mat4& clip_from_local) {
-    // Flat, but for as much depth as hides what lies behind.
-    glm::mat4 logical_from_clip = glm::translate(glm::mat4(1), glm::vec3(0.5f, 0.5f, 0));
-    logical_from_clip = glm::scale(logical_from_clip, glm::vec3(0.5f, 0.5f, -0.02f));
-    pane.solid(mapped(mesh, logical_from_clip * clip_from_local), knob(kWire).index() == 1);
+    pane.solid(mapped(mesh, logical_from_clip() * clip_from_local), knob(kWire).index() == 1);
     pane.caption("5  logical screen", "the window's width and height are 1");
     std::array<glm::vec3, 8> corners{};
     for (unsigned i = 0; i < corners.size(); ++i) corners[i] = {i & 1u, i >> 1 & 1u, 0};
@@ -118,23 +115,10 @@ class Pipeline : public ClonableDemo<Pipeline> {
   void draw_space(SpaceView& pane, const Mesh& local, const glm::mat4& space_from_local,
                   const glm::mat4& space_from_world, float axis) {
     pane.solid(mapped(local, space_from_local), knob(kWire).index() == 1);
-    const auto here = [&](glm::vec3 p) {
-      const glm::vec4 q = space_from_world * glm::vec4(p, 1);
-      return glm::vec3(q) / q.w;
-    };
     if (space_from_world == glm::mat4(1)) pane.grid(6, 1);
     if (knob(kAxes).on()) pane.axes(glm::vec3(0), axis, {"x", "y", "z"});
-    if (!knob(kFrustum).on()) return;
-    const auto corners = mapped_volume(space_from_world * glm::inverse(camera_.clip_from_world()));
-    pane.box(corners, 1.4f, theme::with_alpha(theme::kCool, 200));
-    pane.label(corners[1] * 1.02f, "near", theme::kCool);
-    pane.label(corners[7] * 1.02f, "far", theme::kCool);
-    if (axis < 1) return;  // after the division the eye lies at infinity
-    for (const int i : {0, 1, 2, 3}) {
-      pane.line(here(camera_.eye), corners[static_cast<std::size_t>(i)], 1,
-                theme::with_alpha(theme::kCool, 110));
-    }
-    pane.label(here(camera_.eye) + glm::vec3(0, 0.35f, 0), "eye", theme::kText);
+    // After the division the eye lies at infinity.
+    if (knob(kFrustum).on()) draw_view_volume(pane, camera_, space_from_world, axis >= 1);
   }
 
   void draw_device(SpaceView pane, const Mesh& world) {
@@ -150,15 +134,13 @@ class Pipeline : public ClonableDemo<Pipeline> {
   std::shared_ptr<const Mesh> local_;
 };
 
-std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Pipeline>(setup); }
-
 }  // namespace
 
 DemoInfo pipeline_demo() {
   return {"pipeline",
           "1 Displays and coordinates",
           "One object in local, world, view, clip, logical and device space, side by side",
-          create,
+          [](const DemoSetup& setup) { return std::make_unique<Pipeline>(setup); },
           1,
           "drag or arrow keys to move the camera, wheel to go near",
           {"graphics pipeline: local, world, view, clip, logical screen, device"}};

@@ -12,19 +12,9 @@ namespace kinescope {
 namespace {
 
 enum { kClip };
-enum { kWindow, kConvex, kConcave };
 constexpr int kFarthest = 100'000;
 constexpr int kLow = 0, kHigh = 1;
 constexpr std::size_t kFirstCorner = 2;
-
-/// Clip polygons in shares of the dragged rectangle.
-const Contour& clip_shape(int kind) {
-  static const std::array<Contour, 3> kShapes = {
-      {{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
-       {{0.25, 0}, {0.75, 0}, {1, 0.5}, {0.5, 1}, {0, 0.5}},
-       {{0, 0}, {1, 0}, {1, 1}, {0.7, 1}, {0.5, 0.35}, {0.3, 1}, {0, 1}}}};
-  return kShapes[static_cast<std::size_t>(kind)];
-}
 
 class PolygonClipping : public ClonableDemo<PolygonClipping, Lesson> {
  public:
@@ -50,11 +40,12 @@ class PolygonClipping : public ClonableDemo<PolygonClipping, Lesson> {
              .resolution = 6,
              .speed = 1,
              .centred = true},
-            {choice_knob("clip", {"1", "2", "3"}, {"window", "convex", "concave"}, kWindow,
+            {choice_knob("clip", {"1", "2", "3"}, {"window", "convex", "concave"}, 0,
                          "what it is clipped to: the shape in the dragged rectangle")}) {}
 
  private:
   glm::ivec2 panes() const override { return {2, 1}; }
+  ClipShape shape() const { return ClipShape{knob(kClip).index()}; }
 
   /// A corner in the world's names, where it can be filled.
   glm::dvec2 checked(int handle) const {
@@ -84,14 +75,11 @@ class PolygonClipping : public ClonableDemo<PolygonClipping, Lesson> {
     }
     return contour;
   }
-  ClipWindow window() const {
-    const glm::dvec2 a = checked(kLow), b = checked(kHigh);
-    return {glm::min(a, b), glm::max(a, b)};
-  }
+  ClipWindow window() const { return ClipWindow::between(checked(kLow), checked(kHigh)); }
   Contour clip() const {
     const ClipWindow room = window();
     Contour contour;
-    for (const glm::dvec2& p : clip_shape(knob(kClip).index())) {
+    for (const glm::dvec2& p : clip_shape(shape())) {
       contour.push_back(glm::mix(room.min, room.max, p));
     }
     return contour;
@@ -103,8 +91,8 @@ class PolygonClipping : public ClonableDemo<PolygonClipping, Lesson> {
     const auto followed = std::make_shared<AthertonCourse>();
     Course course;
     try {
-      *four = hodgman_course(knob(kClip).index() == kWindow ? SutherlandHodgman(window(), subject)
-                                                            : SutherlandHodgman(clip, subject),
+      *four = hodgman_course(shape() == ClipShape::kWindow ? SutherlandHodgman(window(), subject)
+                                                           : SutherlandHodgman(clip, subject),
                              subject);
     } catch (const Error& error) {
       course.remarks.push_back(std::string("Sutherland-Hodgman: ") + error.what());

@@ -81,6 +81,14 @@ void fill(const Region& region, const World& world, Image<Srgb8>& paper) {
 
 }  // namespace
 
+const Contour& clip_shape(ClipShape shape) {
+  static const std::array<Contour, 3> kShapes = {
+      {{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+       {{0.25, 0}, {0.75, 0}, {1, 0.5}, {0.5, 1}, {0, 0.5}},
+       {{0, 0}, {1, 0}, {1, 1}, {0.7, 1}, {0.5, 0.35}, {0.3, 1}, {0, 1}}}};
+  return kShapes[static_cast<std::size_t>(shape)];
+}
+
 HodgmanCourse hodgman_course(SutherlandHodgman clip, const Contour& subject) {
   HodgmanCourse course;
   for (Contour in = subject; clip.stage() < clip.stages() && !in.empty();) {

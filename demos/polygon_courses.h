@@ -34,6 +34,10 @@ struct AthertonCourse {
   Region pieces;
 };
 
+/// Polygons to clip to, in shares of a rectangle.
+enum class ClipShape { kWindow, kConvex, kConcave };
+const Contour& clip_shape(ClipShape shape);
+
 HodgmanCourse hodgman_course(SutherlandHodgman clip, const Contour& subject);
 AthertonCourse atherton_course(const Contour& subject, const Contour& clip);
 

@@ -56,13 +56,16 @@ class RubberBand : public ClonableDemo<RubberBand, Lesson> {
     const auto fix = [&](const Track& track) { track.draw(track.steps(), paper); };
     for (const auto& [from, to] : fixed_) fix(line(glm::ivec2(from), glm::ivec2(to)));
     course.papers.push_back(std::move(paper));
-    course.tracks.push_back(line(pixel(0), pixel(1)));
+    course.tracks.push_back(line(pixel(0), pixel(1), theme::kAccent));
     course.guides.push_back({corner(0), corner(1)});
-    course.remarks.push_back(fmt::format("{} lines are fixed.", fixed_.size()));
+    course.remarks.push_back(
+        fmt::format("{} fixed (white).",
+                    fixed_.size() == 1 ? "1 line is" : fmt::format("{} lines are", fixed_.size())));
     return course;
   }
-  Track line(glm::ivec2 from, glm::ivec2 to) const {
-    return knob(0).index() == 0 ? dda_track(from, to, world()) : bresenham_track(from, to, world());
+  Track line(glm::ivec2 from, glm::ivec2 to, Srgb8 ink = theme::kText) const {
+    return knob(0).index() == 0 ? dda_track(from, to, world(), 0, ink)
+                                : bresenham_track(from, to, world(), 0, ink);
   }
 
   std::vector<std::pair<glm::dvec2, glm::dvec2>> fixed_;

@@ -26,7 +26,8 @@ class PolygonFilling : public ClonableDemo<PolygonFilling, Lesson> {
   bool answer(const InputEvent& event, LessonScreen::Spot at) override {
     const glm::dvec2 p = glm::floor(at.at);
     if (event.kind == InputKind::kMouseDown && event.button == MouseButton::kLeft) {
-      handles().push_back({"corner", p});
+      const auto letter = static_cast<char>('a' + handles().size() % 26);
+      handles().push_back({std::string(1, letter), p});
       return true;
     }
     if (event.kind == InputKind::kMouseDown && event.button == MouseButton::kRight) {

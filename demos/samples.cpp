@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "demos/boat.h"
 #include "demos/lesson/lesson.h"
 #include "engine/clip/liang_barsky.h"
-#include "raster/antialias/area_coverage.h"
 #include "raster/base/error.h"
 #include "raster/image/bit_depth.h"
 
@@ -16,23 +16,6 @@ namespace {
 
 enum { kBits, kTimes };
 enum { kBitmap, kPixmap, kMagnified, kVectors };
-
-/// Corners in shares of the picture, and its colours at the left and right.
-struct Shape {
-  Contour corners;
-  LinearRgb left, right;
-};
-
-const std::array<Shape, 4>& boat() {
-  static const std::array<Shape, 4> kShapes = {
-      {{{{0, 0.72}, {1, 0.72}, {1, 1}, {0, 1}}, {0.01f, 0.08f, 0.3f}, {0.1f, 0.42f, 0.6f}},
-       {{{0.2, 0.68}, {0.88, 0.68}, {0.74, 0.86}, {0.32, 0.86}},
-        {0.06f, 0.02f, 0.01f},
-        {0.3f, 0.12f, 0.03f}},
-       {{{0.53, 0.08}, {0.53, 0.62}, {0.86, 0.62}}, {0.08f, 0.05f, 0.02f}, {1.0f, 0.8f, 0.4f}},
-       {{{0.49, 0.14}, {0.49, 0.62}, {0.22, 0.62}}, {0.55f, 0.05f, 0.04f}, {0.12f, 0.01f, 0.01f}}}};
-  return kShapes;
-}
 
 class Samples : public ClonableDemo<Samples, Lesson> {
  public:
@@ -51,27 +34,6 @@ class Samples : public ClonableDemo<Samples, Lesson> {
  private:
   glm::ivec2 panes() const override { return {2, 2}; }
 
-  Image<LinearRgb> exact() const {
-    const World pane = world();
-    Image<LinearRgb> light(pane.columns(), pane.rows(), {0.5f, 0.62f, 0.75f});
-    const glm::dvec2 size(pane.columns(), pane.rows());
-    for (const Shape& shape : boat()) {
-      Contour contour;
-      for (const glm::dvec2& corner : shape.corners) contour.push_back(corner * size);
-      area_coverage({contour}, FillRule::kNonZero, pane.window(), [&](int x, int y, float share) {
-        const float t = (static_cast<float>(x) + 0.5f) / static_cast<float>(pane.columns());
-        LinearRgb& below = light.at(x, y);
-        const auto mix = [&](float under, float left, float right) {
-          return std::lerp(under, std::lerp(left, right, t), share);
-        };
-        below = {mix(below.r, shape.left.r, shape.right.r),
-                 mix(below.g, shape.left.g, shape.right.g),
-                 mix(below.b, shape.left.b, shape.right.b)};
-      });
-    }
-    return light;
-  }
-
   Course record() const override {
     const World pane = world();
     const int bits = whole_figure(kBits), times = whole_figure(kTimes);
@@ -79,7 +41,7 @@ class Samples : public ClonableDemo<Samples, Lesson> {
     if (times < 1 || times > 100) throw_bad_input("times: from 1 to 100");
     const glm::ivec2 lens =
         glm::clamp(pixel(0), glm::ivec2(0), glm::ivec2(pane.columns() - 1, pane.rows() - 1));
-    const Image<LinearRgb> light = exact();
+    const Image<LinearRgb> light = boat_picture(pane.columns(), pane.rows());
     Track bitmap("bitmap, 1 bit", {}, kBitmap),
         pixmap(fmt::format("pixmap, {} bits", bits), {}, kPixmap);
     Track magnified(fmt::format("{} times", times), {}, kMagnified);
@@ -110,9 +72,9 @@ class Samples : public ClonableDemo<Samples, Lesson> {
 
   void add_vectors(Course& course, glm::ivec2 lens, int times) const {
     const glm::dvec2 size(world().columns(), world().rows()), middle = glm::floor(size / 2.0);
-    for (const Shape& shape : boat()) {
+    for (const BoatPart& part : boat()) {
       Contour contour;
-      for (const glm::dvec2& corner : shape.corners) contour.push_back(corner * size);
+      for (const glm::dvec2& corner : part.corners) contour.push_back(corner * size);
       contour_edges(contour, [&](glm::dvec2 a, glm::dvec2 b) {
         const auto enlarged = [&](glm::dvec2 p) {
           return middle + (p - glm::dvec2(lens) - 0.5) * double(times);
@@ -131,7 +93,7 @@ class Samples : public ClonableDemo<Samples, Lesson> {
     const int across = pane.columns(), down = pane.rows();
     const ChannelBits share = channel_bits(bits);
     std::size_t corners = 0;
-    for (const Shape& shape : boat()) corners += shape.corners.size();
+    for (const BoatPart& part : boat()) corners += part.corners.size();
     course.remarks = {
         fmt::format("resolution {} x {}, aspect ratio {:.3f} to 1", across, down,
                     double(across) / down),

@@ -171,7 +171,10 @@ void SpaceView::pixel_axes() {
 void SpaceView::matrix(std::string_view name, const glm::mat4& m) {
   const float size = theme::kSmall * scale_ * 0.92f, row = size * 1.4f;
   const float right = room_.right() - theme::kMargin * scale_;
-  float y = room_.bottom() - theme::kMargin * scale_ - 4 * row;
+  // Above the window's own line, where that is in this pane.
+  const bool lowest = room_.bottom() + 1 >= static_cast<float>(picture_.height());
+  const float below = (lowest ? 3 : 1) * theme::kMargin * scale_;
+  float y = room_.bottom() - below - 4 * row;
   canvas_.text(studio_.sans, {right, y}, name, size, theme::kDim, Align::kRight);
   for (int i = 0; i < 4; ++i) {
     y += row;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
 #include "demos/orbit.h"
+#include "demos/ui/theme.h"
 
 namespace kinescope {
 
@@ -39,6 +41,26 @@ std::array<glm::vec3, 8> mapped_volume(const glm::mat4& space_from_clip) {
     corners[i] = glm::vec3(q) / q.w;
   }
   return corners;
+}
+
+glm::mat4 logical_from_clip() {
+  const glm::mat4 halved = glm::translate(glm::mat4(1), glm::vec3(0.5f, 0.5f, 0));
+  return glm::scale(halved, glm::vec3(0.5f, 0.5f, -0.02f));
+}
+
+void draw_view_volume(SpaceView& pane, const Camera& camera, const glm::mat4& space_from_world,
+                      bool with_eye) {
+  const auto corners = mapped_volume(space_from_world * glm::inverse(camera.clip_from_world()));
+  pane.box(corners, 1.4f, theme::with_alpha(theme::kCool, 200));
+  pane.label(corners[1] * 1.02f, "near", theme::kCool);
+  pane.label(corners[7] * 1.02f, "far", theme::kCool);
+  if (!with_eye) return;
+  const glm::vec4 q = space_from_world * glm::vec4(camera.eye, 1);
+  const glm::vec3 eye = glm::vec3(q) / q.w;
+  for (std::size_t i = 0; i < 4; ++i) {
+    pane.line(eye, corners[i], 1, theme::with_alpha(theme::kCool, 110));
+  }
+  pane.label(eye + glm::vec3(0, 0.35f, 0), "eye", theme::kText);
 }
 
 Camera observer(glm::vec3 centre, float distance, float azimuth_rad, float elevation_rad) {

@@ -16,16 +16,6 @@ enum { kHermitePane, kCardinalPane, kNaturalPane, kBlendingPane };
 constexpr int kPoints = 5, kStepsAPiece = 40;
 using Pieces = std::vector<CubicPiece<glm::dvec2>>;
 
-Continuity weakest_joint(const Pieces& pieces) {
-  Continuity weakest = Continuity::kC2;
-  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-    const auto joint = measure_joint(bezier_end(std::span<const glm::dvec2>(pieces[i]), true),
-                                     bezier_end(std::span<const glm::dvec2>(pieces[i + 1]), false));
-    weakest = std::min(weakest, joint.continuity);
-  }
-  return weakest;
-}
-
 class Splines : public ClonableDemo<Splines, Lesson> {
  public:
   explicit Splines(const DemoSetup& setup)
@@ -91,10 +81,9 @@ class Splines : public ClonableDemo<Splines, Lesson> {
     const Chart chart(world(), {0, -0.3}, {1, 1.1});
     chart.axes(course, kBlendingPane);
     const std::size_t count = natural ? kPoints : 4;
-    std::vector<InkPen> pens;
+    std::vector<InkPen> pens = chart_pens(count);
     std::vector<std::vector<CubicPiece<glm::dvec2>>> unit(count);
     for (std::size_t i = 0; i < count; ++i) {
-      pens.emplace_back(kChartInks[i]);
       std::vector<glm::dvec2> heights(kPoints, glm::dvec2(0));
       heights[i].x = 1;
       unit[i] = natural_cubic_pieces(std::span<const glm::dvec2>(heights));
@@ -134,9 +123,9 @@ class Splines : public ClonableDemo<Splines, Lesson> {
                                        natural_cubic_pieces(through)};
     for (std::size_t i = 0; i < all.size(); ++i) {
       course.tracks.push_back(curve(kNames[i], all[i], static_cast<int>(i)));
-      course.remarks.push_back(
-          fmt::format("{}: {} at every joint", kNames[i],
-                      kClasses[static_cast<std::size_t>(weakest_joint(all[i]))]));
+      course.remarks.push_back(fmt::format("{}: {} at every joint", kNames[i],
+                                           kClasses[static_cast<std::size_t>(weakest_joint(
+                                               std::span<const CubicPiece<glm::dvec2>>(all[i])))]));
     }
     course.tracks.push_back(blending(course));
     return course;

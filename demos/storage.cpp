@@ -13,6 +13,7 @@
 #include "display/light_encode.h"
 #include "display/vector/input/tek_reader.h"
 #include "display/vector/storage_tube.h"
+#include "raster/image/resample.h"
 
 namespace kinescope {
 namespace {
@@ -114,18 +115,9 @@ class Storage : public ClonableDemo<Storage> {
   }
   /// The paper, in a corner.
   void lay_copy(Image<Srgb8>& picture) const {
-    constexpr int kPart = 3;
-    for (int y = 0; y < picture.height() / kPart; ++y) {
-      for (int x = 0; x < picture.width() / kPart; ++x) {
-        int darkest = 255;
-        for (int i = 0; i < kPart * kPart; ++i) {
-          const int cx = kPart * x + i % kPart, cy = kPart * y + i / kPart;
-          if (cx >= copy_.width() || cy >= copy_.height()) continue;
-          darkest = std::min<int>(darkest, copy_.at(cx, cy).g);
-        }
-        const auto grey = static_cast<std::uint8_t>(darkest);
-        picture.at(x, y) = {grey, grey, grey, 255};
-      }
+    const Image<Srgb8> small = darkest_of_blocks(copy_, 3);
+    for (int y = 0; y < std::min(small.height(), picture.height()); ++y) {
+      std::copy_n(small.row(y), std::min(small.width(), picture.width()), picture.row(y));
     }
   }
 
@@ -140,15 +132,13 @@ class Storage : public ClonableDemo<Storage> {
   Image<Srgb8> copy_;
 };
 
-std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Storage>(setup); }
-
 }  // namespace
 
 DemoInfo storage_demo() {
   return {"storage",
           "1 Displays and coordinates",
           "gnuplot on a Tektronix terminal: written once, kept by the tube, erased with a flash",
-          create,
+          [](const DemoSetup& setup) { return std::make_unique<Storage>(setup); },
           1,
           {},
           {"random scan: storage tube"}};

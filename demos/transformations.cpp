@@ -26,9 +26,6 @@ enum {
 };
 enum { kPivot = 3 };
 
-constexpr std::array kClasses = {"identity", "translation", "rigid",    "isometry",  "conformal",
-                                 "affine",   "projective",  "singular", "not finite"};
-
 class Transformations : public ClonableDemo<Transformations, Lesson> {
  public:
   explicit Transformations(const DemoSetup& setup)
@@ -65,9 +62,9 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
       case kDifferential:
         return scaling_about_steps(pivot, glm::dvec2(amount, 1));
       case kShearX:
-        return about(pivot, "shear along x", shear(amount, 0));
+        return about_steps(pivot, "shear along x", shear(amount, 0));
       case kShearY:
-        return about(pivot, "shear along y", shear(0, amount));
+        return about_steps(pivot, "shear along y", shear(0, amount));
       case kInLine:
         return reflection_in_line_steps(amount, pivot.y - amount * pivot.x);
       case kInX:
@@ -83,12 +80,6 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
       default:
         return {{"identity", glm::dmat3(1.0)}};
     }
-  }
-  static std::vector<TransformStep2> about(const glm::dvec2& pivot, const char* name,
-                                           const glm::dmat3& matrix) {
-    return {{"pivot to the origin", translation(-pivot)},
-            {name, matrix},
-            {"and back", translation(pivot)}};
   }
 
   void show(Track& track, const glm::dmat3& matrix, Srgb8 colour) const {
@@ -126,8 +117,7 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
       course.remarks.push_back(
           fmt::format("[{:8.3f} {:8.3f} {:8.3f} ]", sofar[0][row], sofar[1][row], sofar[2][row]));
     }
-    course.remarks.push_back(std::string("class: ") +
-                             kClasses[static_cast<std::size_t>(transform_class(sofar))]);
+    course.remarks.push_back(std::string("class: ") + class_name(transform_class(sofar)));
     const World pane = world();
     // Where it all leads.
     for (int i = 0; i < 3; ++i) {
@@ -141,17 +131,13 @@ class Transformations : public ClonableDemo<Transformations, Lesson> {
   }
 };
 
-std::unique_ptr<Demo> create(const DemoSetup& setup) {
-  return std::make_unique<Transformations>(setup);
-}
-
 }  // namespace
 
 DemoInfo transformations_demo() {
   return {"transformations",
           "3 Two-dimensional transformations",
           "A triangle turned, scaled, sheared, reflected and moved, matrix by matrix",
-          create,
+          [](const DemoSetup& setup) { return std::make_unique<Transformations>(setup); },
           1,
           "drag corners and pivot",
           {"identity", "scaling (uniform, differential, about a point)",

@@ -3,8 +3,7 @@
 
 #include <random>
 
-#include "demos/lesson/ink_lines.h"
-#include "demos/lesson/lesson.h"
+#include "demos/lesson/chart.h"
 #include "engine/clip/clip_window.h"
 #include "engine/clip/liang_barsky.h"
 #include "engine/projection/window_to_viewport.h"
@@ -55,20 +54,8 @@ class WindowToViewport : public ClonableDemo<WindowToViewport, Lesson> {
     return {low, low + glm::dvec2(side, -side)};
   }
   Window viewport(const Window& window) const {
-    Window view = knob(kOnto).index() == 0 ? between(kViewLow, kViewHigh) : unit_square();
-    if (!knob(kShape).on()) return view;
-    const glm::dvec2 scale = (view.high - view.low) / (window.high - window.low);
-    const double least = std::min(scale.x, scale.y);
-    view.high = view.low + least * (window.high - window.low);
-    return view;
-  }
-
-  void add_frame(Course& course, const Window& w, int pane) const {
-    const std::array<glm::dvec2, 4> c = {w.low, {w.high.x, w.low.y}, w.high, {w.low.x, w.high.y}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      course.guides.push_back(
-          {world().middle_of(c[i]), world().middle_of(c[(i + 1) % 4]), theme::kCool, pane});
-    }
+    const Window view = knob(kOnto).index() == 0 ? between(kViewLow, kViewHigh) : unit_square();
+    return knob(kShape).on() ? of_same_shape(window, view) : view;
   }
 
   /// A ship of lines, in shares of the pane.
@@ -135,8 +122,10 @@ class WindowToViewport : public ClonableDemo<WindowToViewport, Lesson> {
     }
     Course course;
     course.tracks = {std::move(world_track), std::move(screen)};
-    add_frame(course, window, 0);
-    add_frame(course, viewport, 1);
+    for (const auto& [w, shown_in] : {std::pair(window, 0), {viewport, 1}}) {
+      guide_rectangle(course, pane.middle_of(w.low), pane.middle_of(w.high), theme::kCool,
+                      shown_in);
+    }
     for (const TransformStep2& step : steps) {
       const glm::dmat3& m = step.matrix;
       course.remarks.push_back(fmt::format("{}: x' = {:.3g} x {:+.4g}, y' = {:.3g} y {:+.4g}",

@@ -16,6 +16,7 @@
 #include "demos/vector_monitor.h"
 #include "demos/wire_model.h"
 #include "display/vector/stroke_list.h"
+#include "engine/figures/beams.h"
 #include "engine/framing.h"
 #include "engine/teapot.h"
 
@@ -28,27 +29,6 @@ constexpr double kTurnRadPerSecond = 2 * std::numbers::pi / 12;
 constexpr std::array kCreasesDeg = {0.0f, 1.0f, 30.0f};
 constexpr std::size_t kMemoryWords = 65536;
 
-/// Three beams that stand in each other's way.
-Mesh beams() {
-  Mesh mesh;
-  for (int beam = 0; beam < 3; ++beam) {
-    glm::vec3 half(0.22f), middle(0);
-    half[beam] = 1.1f;
-    middle[(beam + 1) % 3] = 0.5f;
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    for (unsigned i = 0; i < 8; ++i) {
-      const glm::vec3 side((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-      mesh.positions.push_back(middle + half * side);
-    }
-    for (const std::uint32_t i :
-         {0u, 2u, 1u, 1u, 2u, 3u, 4u, 5u, 6u, 5u, 7u, 6u, 0u, 1u, 4u, 1u, 5u, 4u,
-          2u, 6u, 3u, 3u, 6u, 7u, 0u, 4u, 2u, 2u, 4u, 6u, 1u, 3u, 5u, 3u, 7u, 5u}) {
-      mesh.indices.push_back(first + i);
-    }
-  }
-  return mesh;
-}
-
 /// What every copy of the demo shares and none changes.
 struct Figure {
   WireScene wire;
@@ -57,7 +37,7 @@ struct Figure {
 
 std::shared_ptr<const Figure> figure_of(int choice, int fineness) {
   Scene scene;
-  scene.meshes.push_back(choice == 0 ? teapot_mesh(fineness) : beams());
+  scene.meshes.push_back(choice == 0 ? teapot_mesh(fineness) : three_beams());
   scene.nodes.push_back({"", -1, glm::mat4(1.0f), {0}});
   auto figure = std::make_shared<Figure>();
   figure->wire = wire_scene(scene);
@@ -150,15 +130,13 @@ class Wireframe : public ClonableDemo<Wireframe> {
   double rate_hz_ = 60;
 };
 
-std::unique_ptr<Demo> create(const DemoSetup& setup) { return std::make_unique<Wireframe>(setup); }
-
 }  // namespace
 
 DemoInfo wireframe_demo() {
   return {"wireframe",
           "1 Displays and coordinates",
           "A solid as a list of edges, hidden lines removed, turning as fast as the tube allows",
-          create,
+          [](const DemoSetup& setup) { return std::make_unique<Wireframe>(setup); },
           1,
           "drag or arrow keys to orbit, wheel to go near",
           {"random scan: a solid as a list of edges"}};

@@ -133,6 +133,12 @@ Presenter::Presenter(const std::string& title, int width, int height) {
     SDL_SetError("no display answers");
     fail("no window can be opened");
   }
+  // What lies beyond the screen nobody sees, and cannot be clicked.
+  SDL_Rect room{};
+  if (SDL_GetDisplayUsableBounds(0, &room) == 0 && room.w > 0 && room.h > 0) {
+    width = std::min(width, room.w);
+    height = std::min(height, room.h);
+  }
   state_->window = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                                     width, height, SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
   if (state_->window == nullptr) fail("no window can be opened");

@@ -16,6 +16,7 @@ class Presenter {
  public:
   /// Whether a window can be opened here at all.
   static bool available();
+  /// As large as is asked for, or as the screen where that is smaller.
   /// @throws Error if no window can be opened
   Presenter(const std::string& title, int width, int height);
   ~Presenter();

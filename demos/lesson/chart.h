@@ -57,7 +57,21 @@ inline void guide_chain(Course& course, std::span<const glm::dvec2> points, Srgb
   }
 }
 
+/// The outline of a rectangle by two opposite corners.
+inline void guide_rectangle(Course& course, const glm::dvec2& low, const glm::dvec2& high,
+                            Srgb8 colour, int pane = -1) {
+  const std::array<glm::dvec2, 5> corners = {{low, {high.x, low.y}, high, {low.x, high.y}, low}};
+  guide_chain(course, corners, colour, pane);
+}
+
 inline constexpr std::array kChartInks = {theme::kText,  theme::kAccent, theme::kCool,
                                           theme::kGreen, theme::kRed,    theme::kBlue};
+
+/// A pen for each of so many curves, the inks over again.
+inline std::vector<InkPen> chart_pens(std::size_t count) {
+  std::vector<InkPen> pens;
+  for (std::size_t i = 0; i < count; ++i) pens.emplace_back(kChartInks[i % kChartInks.size()]);
+  return pens;
+}
 
 }  // namespace kinescope

@@ -199,6 +199,7 @@ class Lesson : public Demo {
   std::string shown_in_field(int field) const;
   bool take_typed(const InputEvent& event);
   bool accept();
+  bool leave_field();
 
   // In lesson_panel.cpp.
   Rect stage() const;

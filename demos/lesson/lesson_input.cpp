@@ -37,14 +37,15 @@ bool Lesson::take_mouse(const InputEvent& event) {
     held_slider_ = -1;
     return moved;  // now it is played from its start
   }
+  bool typed = false;
   if (event.kind == InputKind::kMouseDown && event.button == MouseButton::kLeft) {
-    if (typing() && accept()) focus_ = kNoField;
+    typed = leave_field();
     if (side().contains(static_cast<float>(event.x), static_cast<float>(event.y))) {
-      return press(event.x, event.y);
+      return press(event.x, event.y) || typed;
     }
     held_ = handle_near(event);
     held_pane_ = screen_.spot(world(), event.x, event.y).pane;
-    if (held_ != kNoHandle) return false;
+    if (held_ != kNoHandle) return typed;
   }
   if (event.kind == InputKind::kMouseMove && held_slider_ >= 0) return press(event.x, event.y);
   if (event.kind == InputKind::kMouseMove && held_ != kNoHandle) {
@@ -52,7 +53,15 @@ bool Lesson::take_mouse(const InputEvent& event) {
     move_handle(static_cast<std::size_t>(held_), glm::floor(spot.at));
     return true;
   }
-  return answer(event, screen_.spot(world(), event.x, event.y));
+  return answer(event, screen_.spot(world(), event.x, event.y)) || typed;
+}
+
+/// What was typed is taken when the mouse goes elsewhere. @return whether it changed the input
+bool Lesson::leave_field() {
+  if (!typing() || !accept()) return false;
+  const bool changed = !field_.text.empty() && !types_words();  // words are taken letter by letter
+  focus_ = kNoField;
+  return changed;
 }
 
 void Lesson::move_handle(std::size_t handle, glm::dvec2 to) {

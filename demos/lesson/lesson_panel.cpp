@@ -6,13 +6,13 @@
 #include <sstream>
 
 #include "demos/lesson/lesson.h"
+#include "demos/ui/side.h"
 #include "demos/ui/theme.h"
 #include "demos/ui/widgets.h"
 
 namespace kinescope {
 namespace {
 
-constexpr float kHintRoom = 86;        // below the picture, with the window's own line
 constexpr std::size_t kMostLit = 256;  // pixels of a step: fewer have a frame around each
 
 /// Nothing of a value that is none.
@@ -30,7 +30,7 @@ Rect Lesson::side() const {
   const float margin = theme::kMargin * theme::scale_for(height());
   const auto w = static_cast<float>(width()), h = static_cast<float>(height());
   if (portrait()) return {w, 0, 0, h};
-  const float across = std::floor(std::min(Form::kWidth * theme::scale_for(height()), w * 0.4f));
+  const float across = std::floor(std::min(side_width(width(), height()), w * 0.4f));
   return {w - across, 0, across, h - std::floor(std::min(margin, h * 0.01f))};
 }
 
@@ -220,6 +220,7 @@ void Lesson::draw_marks(Canvas& canvas, const World& world) const {
     const auto marks = track.marks(now - 1);
     if (marks.size() > kMostLit) continue;
     for (const Mark& mark : marks) {
+      if (!world.window().contains({mark.x, mark.y, mark.x + 1, mark.y + 1})) continue;
       const glm::vec2 at = screen_.place(world, {track.pane(), {mark.x, mark.y}});
       canvas.frame({at.x, at.y, pixel, pixel}, 2 * scale, theme::kAccent);
     }
@@ -252,17 +253,24 @@ void Lesson::draw_over(Canvas& canvas) const {
   if (portrait()) return;
   const float scale = theme::scale_for(height());
   const float left = theme::kMargin * scale, size = theme::kBody * scale;
-  float y = static_cast<float>(height()) - (kHintRoom - 20) * scale;
-  for (const std::string& line : wrap(studio().sans, plan_.look_for, size, side().x - 2 * left)) {
+  const auto lines = wrap(studio().sans, plan_.look_for, size, side().x - 2 * left);
+  // There is room for two; where the window is narrow, more begin higher.
+  const float step = size * 1.25f, more = std::max(0.0f, static_cast<float>(lines.size()) - 2);
+  float y = static_cast<float>(height()) - (kHintRoom - 20) * scale - more * step;
+  for (const std::string& line : lines) {
     canvas.text(studio().sans, {left, y}, line, size, theme::kDim);
-    y += size * 1.25f;
+    y += step;
   }
   const LessonScreen::Spot spot = screen_.spot(world, mouse_.x, mouse_.y);
   if (screen_.face().contains(static_cast<float>(mouse_.x), static_cast<float>(mouse_.y))) {
     const glm::dvec2 at = world.named(glm::floor(spot.at));
-    canvas.text(studio().mono, {screen_.face().right() - left, screen_.face().y + 20 * scale},
-                fmt::format("({:.0f}, {:.0f})", at.x, at.y), theme::kSmall * scale, theme::kCool,
-                Align::kRight);
+    const std::string words = fmt::format("({:.0f}, {:.0f})", at.x, at.y);
+    const float small = theme::kSmall * scale, pad = 6 * scale;
+    const float wide = studio().mono.width_px(words, small) + 2 * pad;
+    const Rect face = screen_.face();
+    canvas.fill({face.right() - wide, face.y, wide, 23 * scale}, theme::kPanel);
+    canvas.text(studio().mono, {face.right() - pad, face.y + 17 * scale}, words, small,
+                theme::kCool, Align::kRight);
   }
 }
 

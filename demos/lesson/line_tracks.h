@@ -9,10 +9,11 @@
 namespace kinescope {
 
 /// The state names pixels as the world does. @throws Error (bad input) beyond what can be drawn
-inline Track dda_track(glm::ivec2 from, glm::ivec2 to, const World& world, int pane = 0) {
+inline Track dda_track(glm::ivec2 from, glm::ivec2 to, const World& world, int pane = 0,
+                       Srgb8 ink = theme::kText) {
   check_coordinates(from);
   check_coordinates(to);
-  Track track("DDA", {"x", "y"}, pane);
+  Track track("DDA", {"x", "y"}, pane, ink);
   for (DdaLine line(from, to); line.next();) {
     track(line.at().x, line.at().y);
     const glm::dvec2 at = world.named(line.position());
@@ -21,8 +22,9 @@ inline Track dda_track(glm::ivec2 from, glm::ivec2 to, const World& world, int p
   return track;
 }
 
-inline Track bresenham_track(glm::ivec2 from, glm::ivec2 to, const World& world, int pane = 0) {
-  Track track("Bresenham", {"x", "y", "d"}, pane);
+inline Track bresenham_track(glm::ivec2 from, glm::ivec2 to, const World& world, int pane = 0,
+                             Srgb8 ink = theme::kText) {
+  Track track("Bresenham", {"x", "y", "d"}, pane, ink);
   for (BresenhamSteps line(from, to); line.next();) {
     track(line.at().x, line.at().y);
     const glm::dvec2 at = world.named(line.at());

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/ui/side.h"
 #include "demos/ui/theme.h"
 #include "demos/ui/widgets.h"
 
 namespace kinescope {
 namespace {
 
-constexpr float kWidth = 312;
+constexpr float kGapAtTheSide = 18;  // so that the panel covers a lesson's
 
 }  // namespace
 
@@ -17,9 +18,15 @@ constexpr float kWidth = 312;
 /// with it to draw. A dense one has each knob on one line.
 class Panel::Painter {
  public:
-  Painter(const Studio& studio, float scale, bool dense, Canvas* canvas = nullptr,
+  /// @param width in pixels
+  Painter(const Studio& studio, float scale, float width, bool dense, Canvas* canvas = nullptr,
           std::vector<Target>* targets = nullptr)
-      : studio_(studio), scale_(scale), dense_(dense), canvas_(canvas), targets_(targets) {}
+      : studio_(studio),
+        scale_(scale),
+        width_(width),
+        dense_(dense),
+        canvas_(canvas),
+        targets_(targets) {}
 
   float height(const DemoInfo& info, std::span<const Knob> knobs) {
     y_ = px(theme::kMargin);
@@ -31,7 +38,7 @@ class Panel::Painter {
  private:
   float px(float size) const { return size * scale_; }
   float left() const { return px(theme::kMargin); }
-  float right() const { return px(kWidth - theme::kMargin); }
+  float right() const { return width_ - px(theme::kMargin); }
 
   void text(float x, float y, std::string_view words, float size, Srgb8 colour,
             Align align = Align::kLeft) {
@@ -91,7 +98,7 @@ class Panel::Painter {
       track(index, knob, {value - room - px(kTrack), y_ - px(1.5f), px(kTrack), px(3)});
     } else {
       const auto values = static_cast<int>(std::max<std::size_t>(2, knob.choices.size()));
-      target({0, y_ - px(kStep * 0.5f), px(kWidth), px(kStep)}, index, (knob.index() + 1) % values);
+      target({0, y_ - px(kStep * 0.5f), width_, px(kStep)}, index, (knob.index() + 1) % values);
     }
     y_ += px(kStep * 0.5f);
   }
@@ -112,7 +119,7 @@ class Panel::Painter {
       canvas_->disc({x, y_}, px(6.5f), knob.on() ? theme::kAccentDark : theme::kDim);
     }
     keys(knob, track.x - px(10));
-    target({0, y_ - px(18), px(kWidth), px(36)}, index, knob.on() ? 0 : 1);
+    target({0, y_ - px(18), width_, px(36)}, index, knob.on() ? 0 : 1);
     y_ += px(20);
   }
 
@@ -169,7 +176,7 @@ class Panel::Painter {
   }
 
   const Studio& studio_;
-  float scale_;
+  float scale_, width_;
   bool dense_;
   Canvas* canvas_;
   std::vector<Target>* targets_;
@@ -185,15 +192,21 @@ void Panel::lay(const DemoInfo& info, const Demo& demo, const Studio& studio, Im
     values_ = std::move(values);
     frame_width_ = frame.width();
     frame_height_ = frame.height();
-    const float scale = theme::scale_for(frame.height());
+    float scale = theme::scale_for(frame.height());
     const float room = static_cast<float>(frame.height()) - 2 * theme::kMargin * scale;
-    float height = Painter(studio, scale, false).height(info, demo.knobs());
+    const float width =
+        std::floor(side_width(frame.width(), frame.height()) - kGapAtTheSide * scale);
+    float height = Painter(studio, scale, width, false).height(info, demo.knobs());
     const bool dense = height > room;
-    if (dense) height = Painter(studio, scale, true).height(info, demo.knobs());
-    layer_ = begin_layer(static_cast<int>(kWidth * scale), static_cast<int>(std::ceil(height)));
+    if (dense) height = Painter(studio, scale, width, true).height(info, demo.knobs());
+    if (height > room) {
+      scale *= room / height;
+      height = Painter(studio, scale, width, true).height(info, demo.knobs());
+    }
+    layer_ = begin_layer(static_cast<int>(width), static_cast<int>(std::ceil(height)));
     Canvas canvas(layer_.image);
     targets_.clear();
-    Painter(studio, scale, dense, &canvas, &targets_).height(info, demo.knobs());
+    Painter(studio, scale, width, dense, &canvas, &targets_).height(info, demo.knobs());
     finish_layer(layer_, theme::kRadius * scale);
     layer_.x = frame.width() - layer_.image.width() - static_cast<int>(theme::kMargin * scale);
     layer_.y = static_cast<int>(theme::kMargin * scale);

@@ -23,10 +23,14 @@ inline constexpr float kReferenceHeight = 960;
 inline constexpr float kTitle = 24, kBody = 15.5f, kSmall = 13;
 inline constexpr float kMargin = 16, kGap = 8, kRadius = 9;
 
-/// Factor on every size for a picture of that height.
+/// Factor on every size for a picture of that height. A screen of 720 lines is read from as near as
+/// one of 960: there type is hardly smaller.
 constexpr float scale_for(int height_px) {
   const float scale = static_cast<float>(height_px) / kReferenceHeight;
-  return scale < 0.3f ? 0.3f : scale > 4 ? 4 : scale;
+  if (scale < 0.5f) return scale < 0.3f ? 0.3f : scale;
+  if (scale < 0.75f) return 0.5f + 1.5f * (scale - 0.5f);
+  if (scale < 1) return 0.875f + 0.5f * (scale - 0.75f);
+  return scale > 4 ? 4 : scale;
 }
 
 constexpr Srgb8 with_alpha(Srgb8 colour, std::uint8_t alpha) {

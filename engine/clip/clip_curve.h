@@ -1,6 +1,7 @@
 // Curves clipped to a window: which stretches of their parameter are inside.
 #pragma once
 
+#include <algorithm>
 #include <glm/vec2.hpp>
 #include <span>
 #include <vector>
@@ -28,5 +29,29 @@ std::vector<CurvePart> clip_ellipse(const ClipWindow& window, const ClippedEllip
 /// points are all inside is kept, all beyond one side dropped, any other halved.
 /// Nothing for control points that are not finite.
 std::vector<CurvePart> clip_bezier(const ClipWindow& window, std::span<const glm::dvec2> control);
+
+/// Calls sink(part) for those pieces of a stretch that one of the parts holds, in order, so that a
+/// curve drawn in chords changes where it enters and leaves.
+/// @param period of a closed curve, whose parts may end beyond it
+template <typename Sink>
+void for_each_kept(std::span<const CurvePart> parts, const CurvePart& stretch, double period,
+                   Sink&& sink) {
+  const auto kept = [&](double t) {
+    return std::any_of(parts.begin(), parts.end(), [&](const CurvePart& part) {
+      return (t >= part.from && t <= part.to) || (t + period >= part.from && t + period <= part.to);
+    });
+  };
+  std::vector<double> cuts = {stretch.from, stretch.to};
+  for (const CurvePart& part : parts) {
+    for (const double end : {part.from, part.to}) {
+      const double t = end > period ? end - period : end;
+      if (t > stretch.from && t < stretch.to) cuts.push_back(t);
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    if (kept(0.5 * (cuts[i] + cuts[i + 1]))) sink(CurvePart{cuts[i], cuts[i + 1]});
+  }
+}
 
 }  // namespace kinescope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <span>
 
@@ -11,6 +12,10 @@ namespace kinescope {
 struct ClipWindow {
   glm::dvec2 min{0.0}, max{1.0};
 
+  /// Of two opposite corners, whichever.
+  static ClipWindow between(const glm::dvec2& a, const glm::dvec2& b) {
+    return {glm::min(a, b), glm::max(a, b)};
+  }
   /// False for NaN.
   bool contains(const glm::dvec2& p) const {
     return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y;

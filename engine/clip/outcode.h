@@ -20,4 +20,13 @@ inline Outcode outcode(const ClipWindow& window, const glm::dvec2& p) {
   return code;
 }
 
+/// What a box about a figure tells of it, before the figure itself is looked at.
+enum class BoxPlace { kInside, kBeyondSide, kAcross };
+inline BoxPlace place_of_box(const ClipWindow& window, const ClipWindow& box) {
+  if (window.contains(box.min) && window.contains(box.max)) return BoxPlace::kInside;
+  // Two opposite corners tell of all four.
+  const Outcode low = outcode(window, box.min), high = outcode(window, box.max);
+  return (low & high) != 0 ? BoxPlace::kBeyondSide : BoxPlace::kAcross;
+}
+
 }  // namespace kinescope

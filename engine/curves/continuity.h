@@ -88,4 +88,17 @@ CurveEnd<Vec> bezier_end(std::span<const Vec> control, bool at_end, double lengt
   return {pick(control), pick(first) / length, pick(second) / (length * length)};
 }
 
+/// The least continuous joint of Bezier pieces that follow one another; C2 if there is none.
+template <typename Piece>
+Continuity weakest_joint(std::span<const Piece> pieces) {
+  using Vec = typename Piece::value_type;
+  Continuity weakest = Continuity::kC2;
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    const auto joint = measure_joint(bezier_end(std::span<const Vec>(pieces[i]), true),
+                                     bezier_end(std::span<const Vec>(pieces[i + 1]), false));
+    weakest = std::min(weakest, joint.continuity);
+  }
+  return weakest;
+}
+
 }  // namespace kinescope

@@ -24,6 +24,19 @@ glm::dvec2 nurbs_point(const NurbsCurve& curve, double t) {
   return glm::dvec2(p) / p.z;
 }
 
+std::vector<double> rational_basis(const NurbsCurve& curve, double t) {
+  std::vector<double> shares;
+  double sum = 0.0;
+  for (int i = 0; i < curve.controls(); ++i) {
+    shares.push_back(curve.control[static_cast<std::size_t>(i)].z *
+                     b_spline_basis(i, curve.order, curve.knots, t));
+    sum += shares.back();
+  }
+  if (!(sum > 0.0)) return {};
+  for (double& share : shares) share /= sum;
+  return shares;
+}
+
 NurbsCurve nurbs_circle(const glm::dvec2& centre, double radius) {
   constexpr std::array<glm::dvec2, 9> kSquare = {
       glm::dvec2(1, 0), {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}};

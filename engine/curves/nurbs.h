@@ -18,6 +18,10 @@ NurbsCurve nurbs_curve(int order, std::span<const glm::dvec2> control,
 /// The point at t. @throws Error (bad input) as check_knots
 glm::dvec2 nurbs_point(const NurbsCurve& curve, double t);
 
+/// Each control point's share of the point at t: w N over the sum of all. Empty where all weights
+/// that count there are 0.
+std::vector<double> rational_basis(const NurbsCurve& curve, double t);
+
 /// A whole circle of nine control points, four quadratic quarters; t from 0 to 1, counter-clockwise
 /// from +x.
 NurbsCurve nurbs_circle(const glm::dvec2& centre, double radius);

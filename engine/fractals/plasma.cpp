@@ -1,6 +1,8 @@
 #include "engine/fractals/plasma.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "raster/base/error.h"
@@ -63,6 +65,28 @@ bool DiamondSquare::next() {
   }
   diamonds_next = !diamonds_next;
   return true;
+}
+
+glm::ivec2 DiamondSquare::nearest_made(int column, int row) const {
+  const int s = stride, half = s / 2;
+  const glm::ivec2 corner((column + half) / s * s, (row + half) / s * s);
+  if (!diamonds_next) return corner;
+  const int most = field.side - 1 - half;
+  const glm::ivec2 centre(std::min(column / s * s + half, most),
+                          std::min(row / s * s + half, most));
+  const auto away = [&](const glm::ivec2& p) {
+    return std::abs(p.x - column) + std::abs(p.y - row);
+  };
+  return away(centre) < away(corner) ? centre : corner;
+}
+
+double DiamondSquare::height_between(double x, double y) const {
+  const int s = stride, most = field.side - 1 - s;
+  const int i = std::min(static_cast<int>(x) / s * s, most);
+  const int j = std::min(static_cast<int>(y) / s * s, most);
+  const double u = (x - i) / s, v = (y - j) / s;
+  return std::lerp(std::lerp(field.at(i, j), field.at(i + s, j), u),
+                   std::lerp(field.at(i, j + s), field.at(i + s, j + s), u), v);
 }
 
 HeightField plasma(int levels, double hurst, std::uint64_t seed) {

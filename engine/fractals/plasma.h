@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -36,6 +37,12 @@ class DiamondSquare {
 
   /// One half-generation; false once the grid is full.
   bool next();
+
+  /// The place at or nearest to (column, row) whose height is made: corners, and centres of squares
+  /// between the two halves of a generation.
+  glm::ivec2 nearest_made(int column, int row) const;
+  /// Between the corners made, evenly; x and y within the grid.
+  double height_between(double x, double y) const;
 
   HeightField field;           ///< heights not yet made are 0
   int stride;                  ///< between the heights made

@@ -1,6 +1,8 @@
 #include "engine/projection/window_to_viewport.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "raster/base/error.h"
 
@@ -19,6 +21,12 @@ std::vector<TransformStep2> window_to_viewport_steps(const Window& window, const
 
 glm::dmat3 viewport_from_window(const Window& window, const Window& viewport) {
   return compose(window_to_viewport_steps(window, viewport));
+}
+
+Window of_same_shape(const Window& window, const Window& viewport) {
+  const glm::dvec2 size = viewport.high - viewport.low, shape = glm::abs(window.high - window.low);
+  const glm::dvec2 scale = glm::abs(size) / shape;
+  return {viewport.low, viewport.low + glm::sign(size) * std::min(scale.x, scale.y) * shape};
 }
 
 }  // namespace kinescope

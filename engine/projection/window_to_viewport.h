@@ -23,4 +23,8 @@ struct Window {
 std::vector<TransformStep2> window_to_viewport_steps(const Window& window, const Window& viewport);
 glm::dmat3 viewport_from_window(const Window& window, const Window& viewport);
 
+/// The largest part of the viewport, from its low corner, that has the window's shape: the larger
+/// of the two scales is lowered.
+Window of_same_shape(const Window& window, const Window& viewport);
+
 }  // namespace kinescope

@@ -1,6 +1,7 @@
 #include "engine/transform/matrix_class.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -73,6 +74,12 @@ TransformClass transform_class(const glm::dmat3& matrix, double tolerance) {
 
 TransformClass transform_class(const glm::dmat4& matrix, double tolerance) {
   return classify<4, glm::dmat4, glm::dmat3>(matrix, tolerance);
+}
+
+const char* class_name(TransformClass c) {
+  constexpr std::array kNames = {"identity", "translation", "rigid",    "isometry",  "conformal",
+                                 "affine",   "projective",  "singular", "not finite"};
+  return kNames[static_cast<std::size_t>(c)];
 }
 
 bool is_rigid(TransformClass c) { return c <= TransformClass::kRigid; }

@@ -23,6 +23,8 @@ enum class TransformClass {
 TransformClass transform_class(const glm::dmat3& matrix, double tolerance = 1e-12);
 TransformClass transform_class(const glm::dmat4& matrix, double tolerance = 1e-12);
 
+const char* class_name(TransformClass c);
+
 /// The nesting, as questions.
 bool is_rigid(TransformClass c);
 bool is_conformal(TransformClass c);

@@ -83,6 +83,13 @@ glm::dmat3 compose(std::span<const TransformStep2> steps) {
   return product;
 }
 
+std::vector<TransformStep2> about_steps(const glm::dvec2& fixed, const std::string& name,
+                                        const glm::dmat3& matrix) {
+  return {{"pivot to the origin", translation(-fixed)},
+          {name, matrix},
+          {"and back", translation(fixed)}};
+}
+
 std::vector<TransformStep2> rotation_about_steps(const glm::dvec2& pivot, double angle_deg) {
   return {{"pivot to the origin", translation(-pivot)},
           {"rotate", rotation_deg(angle_deg)},

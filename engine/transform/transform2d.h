@@ -49,6 +49,9 @@ struct TransformStep2 {
 glm::dmat3 compose(std::span<const TransformStep2> steps);
 
 /// The textbook's chains, for showing each step: their products are the functions above.
+/// Any matrix about a point: there, the matrix, and back.
+std::vector<TransformStep2> about_steps(const glm::dvec2& fixed, const std::string& name,
+                                        const glm::dmat3& matrix);
 std::vector<TransformStep2> rotation_about_steps(const glm::dvec2& pivot, double angle_deg);
 std::vector<TransformStep2> scaling_about_steps(const glm::dvec2& fixed, const glm::dvec2& factors);
 std::vector<TransformStep2> reflection_in_line_steps(double slope, double intercept);

@@ -22,6 +22,7 @@ class StrokeFont {
  public:
   static constexpr int kBaseline = 9;
   static constexpr int kCapitalHeight = 21;
+  static constexpr int kEm = 32;  ///< from the tops of brackets to the deepest descenders
 
   /// Glyphs in order are characters 32 and on. @param name of the font, for messages.
   /// @throws Error (bad input)

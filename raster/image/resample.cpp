@@ -37,6 +37,21 @@ std::vector<Resampler::Taps> Resampler::taps(int from, int to) {
   return all;
 }
 
+Image<Srgb8> darkest_of_blocks(const Image<Srgb8>& picture, int side) {
+  Image<Srgb8> small(picture.width() / side, picture.height() / side);
+  for (int y = 0; y < small.height(); ++y) {
+    for (int x = 0; x < small.width(); ++x) {
+      Srgb8 darkest = picture.at(side * x, side * y);
+      for (int i = 1; i < side * side; ++i) {
+        const Srgb8 p = picture.at(side * x + i % side, side * y + i / side);
+        if (p.g < darkest.g) darkest = p;
+      }
+      small.at(x, y) = darkest;
+    }
+  }
+  return small;
+}
+
 Resampler::Resampler(int from_width, int from_height, int to_width, int to_height)
     : from_width_(from_width),
       from_height_(from_height),

@@ -36,4 +36,8 @@ class Resampler {
   Image<Srgb8> out_;
 };
 
+/// Each block of side x side pixels as the one in it whose green is darkest, so that thin dark
+/// lines stay; a part of a block at the right or below is left out.
+Image<Srgb8> darkest_of_blocks(const Image<Srgb8>& picture, int side);
+
 }  // namespace kinescope

@@ -4,19 +4,20 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include <array>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "dejavu_sans.h"
 #include "dejavu_sans_mono.h"
+#include "raster/base/direct_cache.h"
 #include "raster/base/error.h"
-#include "raster/image/draw.h"
 #include "raster/path/exact_area.h"
 #include "raster/path/flatten.h"
+#include "raster/path/glyph_painter.h"
 #include "raster/path/utf8.h"
 
 namespace kinescope {
@@ -32,14 +33,6 @@ constexpr float kTolerancePx = 1.0f / 512;
 // coarse, since half a unit is two codes of coverage.
 constexpr int kOutlineShift = 6;
 constexpr float kUnitsPerPx = 64 << kOutlineShift;
-
-/// The coverage of one glyph, its corner given from the pen's whole pixel and the baseline.
-struct Glyph {
-  float advance_px = 0;
-  int left = 0, top = 0;
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> coverage;
-};
 
 /// Receives FreeType's outline and flattens it into edges. Outlines have y upwards.
 struct OutlineSink {
@@ -85,21 +78,21 @@ int cubic_to(const FT_Vector* a, const FT_Vector* b, const FT_Vector* to, void* 
   return 0;
 }
 
-void scan_convert(FT_Outline& outline, Glyph& glyph) {
+GlyphCoverage scan_convert(FT_Outline& outline) {
   FT_BBox box;
   FT_Outline_Get_CBox(&outline, &box);
-  glyph.left = static_cast<int>(box.xMin >> 6);
-  glyph.top = static_cast<int>(-((box.yMax + 63) >> 6));
-  glyph.width = static_cast<int>((box.xMax + 63) >> 6) - glyph.left;
-  glyph.height = static_cast<int>(-(box.yMin >> 6)) - glyph.top;
-  ExactArea area(glyph.width, glyph.height);
-  OutlineSink sink{area, static_cast<float>(glyph.left), static_cast<float>(-glyph.top)};
+  const int left = static_cast<int>(box.xMin >> 6), top = static_cast<int>(-((box.yMax + 63) >> 6));
+  ExactArea area(static_cast<int>((box.xMax + 63) >> 6) - left,
+                 static_cast<int>(-(box.yMin >> 6)) - top);
+  OutlineSink sink{area, static_cast<float>(left), static_cast<float>(-top)};
   const FT_Outline_Funcs callbacks{move_to, line_to, quadratic_to, cubic_to, kOutlineShift, 0};
   FT_Outline_Decompose(&outline, &callbacks, &sink);
   sink.close();
+  std::vector<std::uint8_t> pixels;
   area.rows(FillRule::kNonZero, [&](int, std::span<const float> row) {
-    for (const float c : row) glyph.coverage.push_back(static_cast<std::uint8_t>(c * 255 + 0.5f));
+    for (const float c : row) pixels.push_back(static_cast<std::uint8_t>(c * 255 + 0.5f));
   });
+  return {left, top, area.width(), std::move(pixels)};
 }
 
 glm::vec2 in_units(const FT_Vector* p) {
@@ -133,8 +126,6 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
 }  // namespace
 
 struct Font::State {
-  using Key = std::tuple<FT_UInt, FT_F26Dot6, int>;  // glyph, size, phase
-
   explicit State(std::span<const std::uint8_t> bytes) {
     FT_Error error = FT_Init_FreeType(&library);
     if (!error) {
@@ -142,7 +133,10 @@ struct Font::State {
           FT_New_Memory_Face(library, bytes.data(), static_cast<FT_Long>(bytes.size()), 0, &face);
     }
     if (!error && !FT_IS_SCALABLE(face)) error = FT_Err_Unknown_File_Format;
-    if (!error) return;
+    if (!error) {
+      kerned = FT_HAS_KERNING(face);
+      return;
+    }
     FT_Done_FreeType(library);
     throw_bad_input("not a scalable font (FreeType error " + std::to_string(error) + ")", "font");
   }
@@ -152,58 +146,94 @@ struct Font::State {
 
   void set_size(float size_px) {
     assert(size_px > 0 && size_px <= kLargestPx);
-    const FT_F26Dot6 wanted = std::max<FT_F26Dot6>(1, std::lround(size_px * 64));
-    if (wanted == size) return;
-    size = wanted;
+    size = std::max<FT_F26Dot6>(1, std::lround(size_px * 64));
+  }
+  /// FreeType hears of a size only when it is asked for something: text changes sizes often.
+  void apply_size() {
+    if (applied_size == size) return;
+    applied_size = size;
     FT_Set_Char_Size(face, 0, size, 72, 72);
   }
 
-  const Glyph& glyph(FT_UInt index, int phase) {
-    const auto [place, is_new] = glyphs.try_emplace(Key{index, size, phase});
-    Glyph& glyph = place->second;
-    if (!is_new) return glyph;
-    // Light hinting moves outlines up and down only: stems keep their distances, while the
-    // baseline and the tops of letters lie on pixel rows.
-    if (FT_Load_Glyph(face, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP)) return glyph;
-    glyph.advance_px = static_cast<float>(face->glyph->linearHoriAdvance) / 65536;
+  /// Light hinting moves outlines up and down only: stems keep their distances, while the baseline
+  /// and the tops of letters lie on pixel rows.
+  bool load(FT_UInt index) {
+    apply_size();
+    return FT_Load_Glyph(face, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP) == 0;
+  }
+
+  /// A glyph, or a character, at the size as it is set; indices of glyphs have 16 bits.
+  std::uint64_t key(std::uint32_t index_or_code) const {
+    return std::uint64_t{index_or_code} << 32 | static_cast<std::uint64_t>(size) << 8;
+  }
+
+  struct Letter {
+    FT_UInt index = 0;
+    float advance_px = 0;
+    std::array<const GlyphCoverage*, kPhases> at_phase{};  ///< those that were drawn
+  };
+  Letter& letter(char32_t code) {
+    return letters.get(key(code), [&] {
+      const FT_UInt index = FT_Get_Char_Index(face, code);
+      const float advance = load(index) ? float(face->glyph->linearHoriAdvance) / 65536 : 0;
+      return Letter{index, advance};
+    });
+  }
+
+  float kerning_px(FT_UInt before, FT_UInt index) {
+    if (!before || !kerned) return 0;
+    return kernings.get(key(before) << 16 | index, [&] {
+      apply_size();
+      return static_cast<float>(kerning(before, index, FT_KERNING_UNFITTED)) / 64;
+    });
+  }
+
+  const GlyphCoverage& glyph(Letter& letter, int phase) {
+    const GlyphCoverage*& known = letter.at_phase[static_cast<std::size_t>(phase)];
+    if (known) return *known;
+    const auto [at, is_new] =
+        glyphs.try_emplace(key(letter.index) | static_cast<std::uint64_t>(phase));
     FT_Outline& outline = face->glyph->outline;
-    if (face->glyph->format != FT_GLYPH_FORMAT_OUTLINE || outline.n_points == 0) return glyph;
-    FT_Outline_Translate(&outline, phase * 64 / kPhases, 0);
-    scan_convert(outline, glyph);
-    return glyph;
-  }
-
-  float kerning_px(FT_UInt before, FT_UInt index) const {
-    FT_Vector shift{0, 0};
-    if (before && FT_HAS_KERNING(face)) {
-      FT_Get_Kerning(face, before, index, FT_KERNING_UNFITTED, &shift);
+    if (is_new && load(letter.index) && face->glyph->format == FT_GLYPH_FORMAT_OUTLINE &&
+        outline.n_points > 0) {
+      FT_Outline_Translate(&outline, phase * 64 / kPhases, 0);
+      at->second = scan_convert(outline);
     }
-    return static_cast<float>(shift.x) / 64;
+    known = &at->second;
+    return *known;
   }
 
-  /// Calls sink(glyph, whole pixel of the pen) for each character; returns the pen after the last.
+  FT_Pos kerning(FT_UInt before, FT_UInt index, FT_Kerning_Mode mode) const {
+    FT_Vector shift{0, 0};
+    if (before && kerned) FT_Get_Kerning(face, before, index, mode, &shift);
+    return shift.x;
+  }
+
+  /// Calls sink(letter, pen) for each character; returns the pen after the last.
   template <typename Sink>
   float lay_out(float x_px, std::string_view text, float size_px, Sink&& sink) {
     set_size(size_px);
     float pen = x_px;
     FT_UInt before = 0;
     for_each_code_point(text, [&](char32_t code) {
-      const FT_UInt index = FT_Get_Char_Index(face, code);
-      pen += kerning_px(before, index);
-      const float quarters = std::floor(pen * kPhases + 0.5f);
-      const int whole = static_cast<int>(std::floor(quarters / kPhases));
-      const Glyph& g = glyph(index, static_cast<int>(quarters) - whole * kPhases);
-      sink(g, whole);
-      pen += g.advance_px;
-      before = index;
+      Letter& next = letter(code);
+      pen += kerning_px(before, next.index);
+      sink(next, pen);
+      pen += next.advance_px;
+      before = next.index;
     });
     return pen;
   }
 
   FT_Library library = nullptr;
   FT_Face face = nullptr;
-  FT_F26Dot6 size = 0;
-  std::map<Key, Glyph> glyphs;
+  FT_F26Dot6 size = 0, applied_size = 0;
+  bool kerned = false;
+  std::unordered_map<std::uint64_t, GlyphCoverage> glyphs;
+  // What the last characters needed, so that text allocates and searches nothing.
+  DirectCache<Letter, 256> letters;
+  DirectCache<float, 4096> kernings;
+  GlyphPainter painter;
 };
 
 Font::Font(std::span<const std::uint8_t> bytes) : state_(std::make_unique<State>(bytes)) {}
@@ -215,7 +245,7 @@ Font Font::sans() { return Font(bytes_of(embedded::dejavu_sans())); }
 Font Font::mono() { return Font(bytes_of(embedded::dejavu_sans_mono())); }
 
 float Font::width_px(std::string_view text, float size_px) const {
-  return state_->lay_out(0, text, size_px, [](const Glyph&, int) {});
+  return state_->lay_out(0, text, size_px, [](State::Letter&, float) {});
 }
 
 float Font::ascent_px(float size_px) const {
@@ -237,23 +267,45 @@ Path Font::outline(char32_t code) const {
   return path;
 }
 
+Path Font::line_outline(std::string_view text) const {
+  Path line;
+  float pen = 0;
+  FT_UInt before = 0;
+  const FT_Face face = state_->face;
+  for_each_code_point(text, [&](char32_t code) {
+    const FT_UInt index = FT_Get_Char_Index(face, code);
+    pen += static_cast<float>(state_->kerning(before, index, FT_KERNING_UNSCALED));
+    before = index;
+    const Path glyph = outline(code);
+    line.verbs.insert(line.verbs.end(), glyph.verbs.begin(), glyph.verbs.end());
+    for (const glm::vec2 p : glyph.points) line.points.push_back(p + glm::vec2(pen, 0));
+    pen += static_cast<float>(face->glyph->advance.x);  // of what has just been read
+  });
+  return line;
+}
+
 float Font::units_per_em() const { return static_cast<float>(state_->face->units_per_EM); }
 
 float Font::draw(Image<Srgb8>& picture, float x_px, float y_px, std::string_view text,
                  float size_px, Srgb8 colour) const {
-  const LinearRgba light = decode(colour);
   const int baseline = static_cast<int>(std::lround(y_px));
-  return state_->lay_out(x_px, text, size_px, [&](const Glyph& glyph, int pen) {
-    const int left = pen + glyph.left, top = baseline + glyph.top;
-    const PictureRect area =
-        clipped({left, top, glyph.width, glyph.height}, picture.width(), picture.height());
-    for (int y = area.y; y < area.y + area.height; ++y) {
-      const std::uint8_t* row = glyph.coverage.data() + (y - top) * glyph.width;
-      for (int x = area.x; x < area.x + area.width; ++x) {
-        blend(picture.at(x, y), light, static_cast<float>(row[x - left]) / 255);
-      }
-    }
+  // A character is drawn when the next one's pixels have been asked for.
+  const GlyphCoverage* waiting = nullptr;
+  int waiting_pen = 0;
+  const auto draw_waiting = [&] {
+    if (waiting) state_->painter.draw(picture, *waiting, waiting_pen, baseline, colour);
+  };
+  const float end = state_->lay_out(x_px, text, size_px, [&](State::Letter& letter, float pen) {
+    const float quarters = std::floor(pen * kPhases + 0.5f);
+    const int whole = static_cast<int>(std::floor(quarters / kPhases));
+    const int phase = static_cast<int>(quarters) - whole * kPhases;
+    const GlyphCoverage& glyph = state_->glyph(letter, phase);
+    GlyphPainter::ask_ahead(picture, glyph, whole, baseline);
+    draw_waiting();
+    waiting = &glyph, waiting_pen = whole;
   });
+  draw_waiting();
+  return end;
 }
 
 }  // namespace kinescope

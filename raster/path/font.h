@@ -32,6 +32,9 @@ class Font {
   /// A character's outline in the font's own units, y upwards, not hinted; that of the font's mark
   /// for missing characters if it lacks it.
   Path outline(char32_t code) const;
+  /// A line of UTF-8 text in the font's own units from a pen at the origin, each character at
+  /// the width of what stands before it.
+  Path line_outline(std::string_view text) const;
   float units_per_em() const;
 
   /// Draws one line with its baseline starting at (x, y), blended in linear light, clipped.

@@ -47,6 +47,10 @@ class Pupil {
     mouse(InputKind::kMouseUp, at, button);
   }
   void type(int field, const std::string& text) {
+    type_only(field, text);
+    key("Return");
+  }
+  void type_only(int field, const std::string& text) {
     const auto place = lesson().place_of_control(Lesson::field_of(field));
     ASSERT_TRUE(place.has_value());
     click(*place);
@@ -55,7 +59,6 @@ class Pupil {
     event.kind = InputKind::kText;
     event.key = text;
     give(event);
-    key("Return");
   }
   Pixels pixels(std::size_t track = 0) const {
     Pixels pixels;
@@ -88,6 +91,15 @@ TEST(Lesson, TypedEndsGiveTheLibrarysLine) {
   Pupil pupil("practical-1");
   pupil.type(0, "1, 2");
   pupil.type(1, "14 9");
+  EXPECT_EQ(pupil.pixels(0), line(1, 2, 14, 9));
+  EXPECT_FALSE(pupil.lesson().typing());
+}
+
+TEST(Lesson, WhatWasTypedIsTakenWhenTheMouseGoesElsewhere) {
+  Pupil pupil("practical-1");
+  pupil.type(0, "1, 2");
+  pupil.type_only(1, "14 9");
+  pupil.click(pupil.place(2, 12));
   EXPECT_EQ(pupil.pixels(0), line(1, 2, 14, 9));
   EXPECT_FALSE(pupil.lesson().typing());
 }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "demos/ui/theme.h"
 #include "raster/image/codecs.h"
 #include "tests/sanitized.h"
 #include "window_testing.h"
@@ -63,6 +64,19 @@ TEST_F(Window, EscapeLeavesFullScreenFirst) {
   ASSERT_TRUE(shown());
   key("Escape");
   EXPECT_EQ(program_->wait(kPatience), 0) << test::read_text(folder_ / "said.txt");
+}
+
+TEST_F(Window, IsNoLargerThanTheScreen) {
+  start({"demo", "lines"}, "1280x960");
+  // The side panel reaches the screen's right and nearly its bottom.
+  EXPECT_TRUE(until([](const auto& shot) {
+    const auto is = [&](int x, int y, Srgb8 colour) {
+      const Srgb8 p = shot.at(x, y);
+      return std::abs(p.r - colour.r) + std::abs(p.g - colour.g) + std::abs(p.b - colour.b) < 6;
+    };
+    return shot.width() == 640 && is(636, 300, theme::kPanel) && is(600, 470, theme::kPanel) &&
+           is(300, 430, theme::kBackground);
+  })) << "part of the window is off the screen";
 }
 
 TEST_F(Window, HoldsTheTeapotInLittleMemory) {

@@ -7,6 +7,7 @@
 
 #include "engine/clip/clip_curve.h"
 #include "engine/clip/clip_text.h"
+#include "engine/clip/outcode.h"
 #include "engine/curves/bezier.h"
 
 namespace kinescope {
@@ -65,6 +66,35 @@ TEST(Clip2D, EllipsesAtTheEdges) {
   EXPECT_TRUE(clip_ellipse(window, {{0, 0}, {0, 1}}).empty());
   EXPECT_TRUE(clip_ellipse(window, {{NAN, 0}, {1, 1}}).empty());
   EXPECT_TRUE(clip_ellipse(window, {{0, 0}, {INFINITY, 1}}).empty());
+}
+
+TEST(Clip2D, StretchesKeptAreThoseThatThePartsHold) {
+  constexpr double kPeriod = 10;
+  const std::vector<CurvePart> parts = {{1, 2}, {2.5, 6.25}, {9, 10.5}};  // the last goes round
+  double kept = 0;
+  for (int i = 0; i < 20; ++i) {
+    double last = 0.5 * i;
+    for_each_kept(parts, {0.5 * i, 0.5 * (i + 1)}, kPeriod, [&](const CurvePart& part) {
+      EXPECT_GE(part.from, last);
+      EXPECT_LE(part.to, 0.5 * (i + 1));
+      const double t = 0.5 * (part.from + part.to);
+      EXPECT_TRUE(t < 0.5 || (t > 1 && t < 2) || (t > 2.5 && t < 6.25) || t > 9) << t;
+      kept += part.to - part.from;
+      last = part.to;
+    });
+  }
+  EXPECT_NEAR(kept, 1 + 3.75 + 1.5, 1e-12);
+}
+
+TEST(Clip2D, ABoxTellsOfWhatIsInIt) {
+  const ClipWindow window{{0, 0}, {4, 4}};
+  const auto place = [&](Vec low, Vec high) { return place_of_box(window, {low, high}); };
+  EXPECT_EQ(place({0, 0}, {4, 4}), BoxPlace::kInside);
+  EXPECT_EQ(place({1, 1}, {2, 5}), BoxPlace::kAcross);
+  EXPECT_EQ(place({-2, 1}, {-0.5, 2}), BoxPlace::kBeyondSide);
+  EXPECT_EQ(place({1, 4.5}, {9, 6}), BoxPlace::kBeyondSide);
+  EXPECT_EQ(place({-2, -3}, {-1, 9}), BoxPlace::kBeyondSide);
+  EXPECT_EQ(place({-2, -3}, {9, 9}), BoxPlace::kAcross);
 }
 
 TEST(Clip2D, BezierCurvesBySampling) {

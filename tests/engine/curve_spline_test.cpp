@@ -25,13 +25,7 @@ void expect_near(const Vec& a, const Vec& b, double tolerance = 1e-12) {
 }
 
 Continuity worst_joint(const std::vector<CubicPiece<Vec>>& pieces) {
-  Continuity worst = Continuity::kC2;
-  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-    const auto joint = measure_joint(bezier_end(std::span<const Vec>(pieces[i]), true),
-                                     bezier_end(std::span<const Vec>(pieces[i + 1]), false));
-    worst = std::min(worst, joint.continuity);
-  }
-  return worst;
+  return weakest_joint(std::span<const CubicPiece<Vec>>(pieces));
 }
 
 TEST(Interpolating, PassesThroughEveryPointAsSmoothlyAsItSays) {
@@ -236,6 +230,28 @@ TEST(Nurbs, CircleIsRound) {
   }
   expect_near(nurbs_point(circle, 0.25), {3, 3});
   expect_near(nurbs_point(circle, 0.125), Vec(3, -2) + 5 / std::numbers::sqrt2 * Vec(1, 1));
+}
+
+TEST(Nurbs, SharesAddUpToTheCurve) {
+  const std::array<glm::dvec2, 5> control = {{{0, 0}, {1, 3}, {4, 4}, {6, 1}, {7, 2}}};
+  const std::array weights = {1.0, 4.0, 0.25, 2.0, 1.0};
+  const NurbsCurve curve = nurbs_curve(4, control, weights, open_knots(4, 5));
+  for (int k = 0; k <= 50; ++k) {
+    const std::vector<double> shares = rational_basis(curve, k / 50.0);
+    ASSERT_EQ(shares.size(), control.size());
+    double sum = 0;
+    glm::dvec2 p(0);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      EXPECT_GE(shares[i], 0);
+      sum += shares[i];
+      p += shares[i] * control[i];
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_NEAR(glm::distance(p, nurbs_point(curve, k / 50.0)), 0, 1e-12);
+  }
+  NurbsCurve weightless = curve;
+  for (glm::dvec3& p : weightless.control) p = glm::dvec3(0);
+  EXPECT_TRUE(rational_basis(weightless, 0.5).empty());
 }
 
 TEST(Nurbs, MiddleWeightTellsTheConic) {

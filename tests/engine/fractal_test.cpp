@@ -10,6 +10,7 @@
 #include "engine/fractals/dla.h"
 #include "engine/fractals/escape_time.h"
 #include "engine/fractals/gasket.h"
+#include "engine/fractals/gasket_view.h"
 #include "engine/fractals/ifs.h"
 #include "engine/fractals/plasma.h"
 #include "engine/fractals/random_koch.h"
@@ -98,6 +99,43 @@ TEST(Gasket, CountsAndSizes) {
   EXPECT_EQ(solids, 256);
 }
 
+TEST(Gasket, TetrahedraComeFarFirstAndShowTheirOutsides) {
+  const auto whole = seen_tetrahedra(0, 25, 20);
+  ASSERT_EQ(whole.size(), 1u);
+  for (const glm::dvec3& corner : whole[0]) EXPECT_NEAR(glm::length(corner), 1, 1e-12);
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_NEAR(glm::distance(whole[0][0], whole[0][i]), std::sqrt(8.0 / 3), 1e-12);
+  }
+  const auto pieces = seen_tetrahedra(3, 25, 20);
+  EXPECT_EQ(pieces.size(), 64u);
+  double last = -4;
+  for (const Tetrahedron& t : pieces) {
+    const double near = 0.25 * (t[0].z + t[1].z + t[2].z + t[3].z);
+    EXPECT_GE(near, last);
+    last = near;
+  }
+  // From straight ahead, above by 20 degrees: the bottom is hidden, and what is seen covers the
+  // outline once: the areas of faces that look here and of those that look away are equal.
+  double seen_area = 0, away_area = 0;
+  Tetrahedron back = whole[0];
+  for (glm::dvec3& p : back) p = {-p.x, p.y, -p.z};  // from behind
+  const auto area = [](const Triangle3& c) {
+    return 0.5 * std::abs(glm::cross(c[1] - c[0], c[2] - c[0]).z);
+  };
+  int faces = 0;
+  faces_seen(whole[0], [&](std::size_t face, const Triangle3& c) {
+    EXPECT_NE(face, 0u);
+    seen_area += area(c);
+    ++faces;
+  });
+  faces_seen(back, [&](std::size_t, const Triangle3& c) {
+    away_area += area(c);
+    ++faces;
+  });
+  EXPECT_EQ(faces, 4);
+  EXPECT_NEAR(seen_area, away_area, 1e-12);
+}
+
 TEST(Dimension, BoxesAndRulersFindTheKnownOnes) {
   std::vector<Vec> points;
   chaos_game(triangle_ifs(), 1, 400'000, [&](const Vec& p) { points.push_back(p); });
@@ -158,6 +196,39 @@ TEST(Random, PlasmaAggregationAndBrownianMotion) {
   EXPECT_GT(cluster.particles.size(), 50u);
   EXPECT_THROW(Aggregation(1, 1), Error);
   EXPECT_THROW(ChaosGame({}, 1), Error);
+}
+
+TEST(DiamondSquare, WhatIsMadeIsFoundAndJoinedEvenly) {
+  DiamondSquare made(4, 0.7, 5);
+  do {
+    const int side = made.field.side;
+    const auto is_made = [&](int i, int j) {
+      const int s = made.stride, half = s / 2;
+      return (i % s == 0 && j % s == 0) || (made.diamonds_next && i % s == half && j % s == half);
+    };
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < side; ++i) {
+        const glm::ivec2 p = made.nearest_made(i, j);
+        ASSERT_TRUE(is_made(p.x, p.y));
+        int least = 2 * side;
+        for (int y = 0; y < side; ++y) {
+          for (int x = 0; x < side; ++x) {
+            if (is_made(x, y)) least = std::min(least, std::abs(x - i) + std::abs(y - j));
+          }
+        }
+        ASSERT_EQ(std::abs(p.x - i) + std::abs(p.y - j), least) << i << ' ' << j;
+        if (i % made.stride == 0 && j % made.stride == 0) {
+          EXPECT_EQ(made.height_between(i, j), made.field.at(i, j));
+        }
+      }
+    }
+    const double s = made.stride;
+    EXPECT_NEAR(
+        made.height_between(0.25 * s, 0.5 * s),
+        0.375 * (made.field.at(0, 0) + made.field.at(0, made.stride)) +
+            0.125 * (made.field.at(made.stride, 0) + made.field.at(made.stride, made.stride)),
+        1e-12);
+  } while (made.next());
 }
 
 TEST(MidpointLine, HalvesAndKeepsWhatWasThere) {

@@ -166,6 +166,15 @@ TEST(WindowAndViewport, CornersAndTheRenderersOwn) {
   EXPECT_THROW(viewport_from_window({{0, 0}, {NAN, 2}}, {}), Error);
 }
 
+TEST(WindowAndViewport, OfTheSameShapeIsTheLargestPart) {
+  const Window window{{10, 5}, {50, 25}};  // twice as wide as high
+  const Window wide = of_same_shape(window, {{0, 200}, {800, 0}});
+  EXPECT_EQ(wide.low, Flat(0, 200));
+  EXPECT_EQ(wide.high, Flat(400, 0));
+  const Window high = of_same_shape(window, {{0, 200}, {100, 0}});
+  EXPECT_EQ(high.high, Flat(100, 150));
+}
+
 Camera aside_camera(Projection projection) {
   Camera camera;
   camera.projection = projection;

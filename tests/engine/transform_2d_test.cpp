@@ -144,6 +144,8 @@ TEST(Transform2D, StepsMultiplyToTheWhole) {
   expect_near(compose(rotation_about_steps({-1, 1}, 37)), rotation_about_deg({-1, 1}, 37));
   expect_near(compose(scaling_about_steps({4, 2}, {3, -2})), scaling_about({4, 2}, {3, -2}));
   expect_near(compose(reflection_in_line_steps(-0.75, 2)), reflection_in_line(-0.75, 2));
+  expect_near(compose(about_steps({4, 2}, "scale", scaling(Vec(3, -2)))),
+              scaling_about({4, 2}, {3, -2}));
   EXPECT_EQ(rotation_about_steps({0, 0}, 1).size(), 3u);
 }
 
@@ -203,6 +205,12 @@ TEST(TransformClass, Nests) {
   EXPECT_FALSE(is_conformal(TransformClass::kAffine));
   EXPECT_TRUE(is_affine(TransformClass::kConformal));
   EXPECT_FALSE(is_affine(TransformClass::kProjective));
+}
+
+TEST(TransformClass, HasNames) {
+  EXPECT_STREQ(class_name(TransformClass::kIdentity), "identity");
+  EXPECT_STREQ(class_name(TransformClass::kConformal), "conformal");
+  EXPECT_STREQ(class_name(TransformClass::kNotFinite), "not finite");
 }
 
 TEST(Polar, GoesThereAndBack) {

@@ -2,15 +2,37 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 #include <set>
 
+#include "engine/figures/beams.h"
 #include "engine/framing.h"
 #include "engine/renderer.h"
 #include "engine/teapot.h"
 
 namespace kinescope {
 namespace {
+
+TEST(ThreeBeams, AreClosedAndFaceOutwards) {
+  const Mesh mesh = three_beams();
+  ASSERT_EQ(mesh.positions.size(), 24u);
+  ASSERT_EQ(mesh.indices.size(), 108u);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  double volume = 0;
+  for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+    std::array<glm::dvec3, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = mesh.indices[t + k], b = mesh.indices[t + (k + 1) % 3];
+      EXPECT_TRUE(edges.insert({a, b}).second) << "an edge is passed once each way";
+      p[k] = glm::dvec3(mesh.positions[a]);
+    }
+    volume += glm::dot(p[0], glm::cross(p[1], p[2])) / 6;
+  }
+  for (const auto& [a, b] : edges) EXPECT_TRUE(edges.count({b, a}));
+  EXPECT_NEAR(volume, 3 * 2.2 * 0.44 * 0.44, 1e-5);
+}
 
 TEST(MeshEdges, EachEdgeOnce) {
   // A tetrahedron has six edges; its base is given twice, once turned over; one corner repeats.

@@ -87,6 +87,30 @@ TEST(Font, WidthsScaleAndAddUp) {
   EXPECT_FLOAT_EQ(sans.line_height_px(2048), 2384);
 }
 
+TEST(Font, ALinesOutlineIsItsCharactersSideBySide) {
+  const Font font = Font::sans();
+  const float em = font.units_per_em();
+  EXPECT_TRUE(font.line_outline("").points.empty());
+  const std::string_view text = "AV g\xc3\xa9\xff";  // kerned, a space, two bytes, and no character
+  const Path line = font.line_outline(text);
+  std::size_t next = 0;
+  std::string before;
+  for_each_code_point(text, [&](char32_t code) {
+    std::string with = before;
+    with += code == U'\u00e9' ? "\xc3\xa9" : code == 0xfffd ? "\xff" : std::string(1, char(code));
+    const Path one = font.outline(code);
+    // The pen is as far as the text so far, kerned to this character.
+    const float pen = font.width_px(with, em) - font.width_px(with.substr(before.size()), em);
+    for (const glm::vec2 p : one.points) {
+      ASSERT_LT(next, line.points.size());
+      EXPECT_NEAR(line.points[next].x, p.x + pen, 1.5f) << with;
+      EXPECT_EQ(line.points[next++].y, p.y);
+    }
+    before = with;
+  });
+  EXPECT_EQ(next, line.points.size());
+}
+
 TEST(Font, DrawReturnsThePenAfterTheText) {
   const Font font = Font::sans();
   Image<Srgb8> picture(300, 40, kClear);

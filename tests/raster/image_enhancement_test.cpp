@@ -8,10 +8,8 @@
 #include <vector>
 
 #include "raster/image/bit_depth.h"
-#include "raster/image/convolution.h"
-#include "raster/image/median_filter.h"
+#include "raster/image/enhancement.h"
 #include "raster/image/raster_op.h"
-#include "raster/image/tone_curve.h"
 #include "raster/scan/spray.h"
 
 namespace kinescope {
@@ -142,6 +140,40 @@ TEST(MedianFilter, IsTheMiddleOfTheSortedWindow) {
     }
   }
   median_filter(GreyImage(), 3, [](int, int, std::uint8_t) { FAIL() << "an empty picture"; });
+}
+
+TEST(Enhancement, EachIsWhatItsNameSays) {
+  const GreyImage image = noise(9, 8, 4, 60);
+  const Histogram counts = histogram(image);
+  const auto bytes = [](const GreyImage& of) {
+    return std::vector<std::uint8_t>(of.pixels().begin(), of.pixels().end());
+  };
+  const auto result = [&](Enhancement kind, double amount) {
+    GreyImage out(image.width(), image.height());
+    int at = 0;
+    enhance(image, {kind, amount}, [&](int x, int y, std::uint8_t tone) {
+      EXPECT_EQ(y * image.width() + x, at++);  // row by row
+      out.at(x, y) = tone;
+    });
+    EXPECT_EQ(at, 72);
+    return bytes(out);
+  };
+  const auto by = [&](const ToneCurve& curve) { return bytes(with_curve(image, curve)); };
+  const auto summed = [&](const Convolution& mask) {
+    GreyImage out(image.width(), image.height());
+    convolve(image, mask, [&](int x, int y, std::uint8_t tone) { out.at(x, y) = tone; });
+    return bytes(out);
+  };
+  EXPECT_EQ(result(Enhancement::kStretch, 1), by(stretching_curve(counts, 0.005)));
+  EXPECT_EQ(result(Enhancement::kEqualize, 1), by(equalizing_curve(counts)));
+  EXPECT_EQ(result(Enhancement::kContrast, 2), by(contrast_curve(2)));
+  EXPECT_EQ(result(Enhancement::kGamma, 0.5), by(power_curve(0.5)));
+  EXPECT_EQ(result(Enhancement::kNegative, 1), by(negative_curve()));
+  EXPECT_EQ(result(Enhancement::kBox, 2), summed(box_blur(5)));
+  EXPECT_EQ(result(Enhancement::kGaussian, 1.5), summed(gaussian_blur(1.5)));
+  EXPECT_EQ(result(Enhancement::kSharpen, 0.7), summed(sharpening(0.7)));
+  EXPECT_EQ(result(Enhancement::kLaplacian, 1), summed(laplacian()));
+  EXPECT_EQ(result(Enhancement::kEmboss, 1), summed(emboss()));
 }
 
 TEST(RasterOp, EachIsItsTruthTable) {

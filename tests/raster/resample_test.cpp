@@ -19,6 +19,19 @@ Image<Srgb8> noise(int width, int height) {
   return picture;
 }
 
+TEST(DarkestOfBlocks, KeepsThinLinesAndLeavesOutPartsOfBlocks) {
+  Image<Srgb8> paper(8, 7, {255, 255, 255, 255});
+  for (int y = 0; y < 7; ++y) paper.at(4, y) = {60, 50, 40, 255};
+  paper.at(1, 6) = {0, 0, 0, 255};  // in no whole block
+  const Image<Srgb8> small = darkest_of_blocks(paper, 3);
+  ASSERT_EQ(small.width(), 2);
+  ASSERT_EQ(small.height(), 2);
+  for (int y = 0; y < 2; ++y) {
+    EXPECT_EQ(small.at(0, y), (Srgb8{255, 255, 255, 255}));
+    EXPECT_EQ(small.at(1, y), (Srgb8{60, 50, 40, 255}));
+  }
+}
+
 TEST(Mitchell, IsTheCubicOfThePaper) {
   // Mitchell and Netravali 1988, equation 8 with B = C = 1/3.
   EXPECT_NEAR(mitchell(0), 8.0 / 9, 1e-12);
