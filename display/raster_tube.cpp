@@ -7,10 +7,10 @@
 
 #include "display/layer_colours.h"
 #include "display/tube/afterglow.h"
+#include "display/tube/faceplate.h"
 #include "display/tube/free_raster.h"
 #include "display/tube/locked_raster.h"
 #include "display/tube/retrace_light.h"
-#include "display/tube/screen.h"
 #include "display/tube/stage_timer.h"
 #include "display/tube_kernels.h"
 
@@ -45,7 +45,7 @@ std::vector<std::vector<Seconds>> taus_of(std::span<const Phosphor> laws) {
 /// The guns' signals, and each layer with its gun and its colour.
 struct Beams {
   std::vector<Signal> signals;
-  std::vector<ScreenLayer> layers;
+  std::vector<FaceplateLayer> layers;
 };
 Beams beams_of(const PhosphorType& type) {
   const auto colours = layer_colours(type);
@@ -68,7 +68,7 @@ struct RasterTube::State {
   void reset();
   void leave_glow(Workers& workers);
   std::optional<FreeRaster> make_free() const;
-  void build_front(const Screen* like);
+  void build_front(const Faceplate* like);
   bool gather(FrameBuffer& buffer, Seconds end, Workers& workers);
   void set_up_screen(Workers& workers);
 
@@ -87,10 +87,10 @@ struct RasterTube::State {
   std::optional<FreeRaster> free;  // instead, if sweeps may land elsewhere than the last one did
   Afterglow afterglow;             // of what the raster left behind
   // Where the raster lay when knobs moved it, until what glows there has been left behind.
-  std::shared_ptr<Screen> moved_from;
+  std::shared_ptr<Faceplate> moved_from;
   std::optional<FreeRaster> free_then;
   int width = 0, height = 0;                    // of the output
-  std::shared_ptr<Screen> screen;               // follows from the settings and the size
+  std::shared_ptr<Faceplate> faceplate;         // follows from the settings and the size
   std::shared_ptr<RetraceLight> retrace_light;  // of a locked raster
   std::shared_ptr<FreeRetrace> free_retrace;    // of a free one
   BeamTime begun;                               // when the last exposure began
@@ -134,7 +134,7 @@ void RasterTube::State::turn_knobs(const TubeSettings& turned) {
   const bool moves = settings.deflection != turned.deflection || settings.spot != turned.spot ||
                      settings.sweep != turned.sweep;
   if (moves && !moved_from && now != BeamTime()) {
-    moved_from = screen;
+    moved_from = faceplate;
     free_then = free;
   }
   const FreeSweep swept = free ? free->sweep() : FreeSweep({}, settings.mode);
@@ -145,21 +145,21 @@ void RasterTube::State::turn_knobs(const TubeSettings& turned) {
     if (free) free->take_over(swept, now);
   }
   if (free) free->turn_knobs(settings);
-  build_front(screen.get());
+  build_front(faceplate.get());
 }
 
 /// The raster has moved: what glows stays where it was.
 void RasterTube::State::leave_glow(Workers& workers) {
-  const std::shared_ptr<Screen> there = std::exchange(moved_from, nullptr);
+  const std::shared_ptr<Faceplate> there = std::exchange(moved_from, nullptr);
   if (!there) return;
   if (free_then) return std::exchange(free_then, std::nullopt)->leave(*there, afterglow, workers);
   locked.leave(scan, now, *there, afterglow, workers);
 }
 
 /// What follows from the settings and the size.
-/// @param like the screen until now, if the size is still the same
-void RasterTube::State::build_front(const Screen* like) {
-  screen = std::make_shared<Screen>(settings, beams.layers, width, height, like);
+/// @param like the faceplate until now, if the size is still the same
+void RasterTube::State::build_front(const Faceplate* like) {
+  faceplate = std::make_shared<Faceplate>(settings, beams.layers, width, height, like);
   retrace_light.reset();
   free_retrace.reset();
   if (free) {
@@ -196,7 +196,8 @@ bool RasterTube::State::gather(FrameBuffer& buffer, Seconds end, Workers& worker
     return differs;
   }
   StageTimer watch;
-  free->pass(scan, buffer, begun, until, *screen, *free_retrace, afterglow, work.overlay, workers);
+  free->pass(scan, buffer, begun, until, *faceplate, *free_retrace, afterglow, work.overlay,
+             workers);
   work.times.phosphor = watch.lap();
   return true;
 }
@@ -209,8 +210,8 @@ void RasterTube::State::set_up_screen(Workers& workers) {
       add_scaled(width * height, 1, (*retrace)[i].data(), work.overlay[i].data());
     }
   }
-  screen->set_overlay(work.overlay.empty() ? retrace : &work.overlay);
-  screen->set_length(to_clocks(now - begun) / to_clocks(scan.frame_clocks()));
+  faceplate->set_overlay(work.overlay.empty() ? retrace : &work.overlay);
+  faceplate->set_length(to_clocks(now - begun) / to_clocks(scan.frame_clocks()));
 }
 
 RasterTube::RasterTube(const TubeSettings& settings, int width, int height)
@@ -254,7 +255,7 @@ const Image<LinearRgb>& RasterTube::expose(FrameBuffer& buffer, Seconds end, Wor
   s.gather(buffer, end, workers);
   StageTimer watch;
   s.set_up_screen(workers);
-  s.work.times.glow = s.screen->show(s.lights(), workers, s.work.picture);
+  s.work.times.glow = s.faceplate->show(s.lights(), workers, s.work.picture);
   s.work.times.glass = watch.lap() - s.work.times.glow;
   return s.work.picture;
 }
@@ -271,7 +272,7 @@ bool RasterTube::photograph(FrameBuffer& buffer, Seconds end, Workers& workers,
   StageTimer watch;
   s.set_up_screen(workers);
   s.work.times.glow =
-      s.screen->photograph(s.lights(), workers, print.gain, print.out, print.left, print.top);
+      s.faceplate->photograph(s.lights(), workers, print.gain, print.out, print.left, print.top);
   s.work.times.glass = watch.lap() - s.work.times.glow;
   return true;
 }

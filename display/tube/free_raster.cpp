@@ -24,7 +24,7 @@ int FreeRaster::cells_begun(BeamTime since_first, int cells) {
 }
 
 FreeRaster::FreeRaster(const TubeSettings& settings, std::span<const Signal> signals,
-                       std::span<const ScreenLayer> layers, std::span<const Phosphor> laws)
+                       std::span<const FaceplateLayer> layers, std::span<const Phosphor> laws)
     : settings_(settings),
       sweep_(settings.sweep, settings.mode),
       gun_(settings.gun, SpotModel(settings.spot), sweep_.clock_hz()),
@@ -197,18 +197,18 @@ int FreeRaster::lines_begun(const Field& field) const {
   return lines;
 }
 
-/// Lays the field's light of this pass on the screen.
-void FreeRaster::show(Field& field, const GunRasters& rasters, const Screen& screen,
+/// Lays the field's light of this pass on the faceplate.
+void FreeRaster::show(Field& field, const GunRasters& rasters, const Faceplate& faceplate,
                       LightOverlay& sum, Workers& workers) const {
   for (std::size_t i = 0; i < layers_.size(); ++i) {
-    const Screen::Spread spread{&field.light[i], {{{&sum[i], 1}}}, 0, lines_begun(field)};
-    screen.spread(rasters, i, {&spread, 1}, workers);
+    const Faceplate::Spread spread{&field.light[i], {{{&sum[i], 1}}}, 0, lines_begun(field)};
+    faceplate.spread(rasters, i, {&spread, 1}, workers);
     darken(field.light[i], workers);
   }
 }
 
 void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begin, BeamTime end,
-                      const Screen& screen, FreeRetrace& retrace, Afterglow& afterglow,
+                      const Faceplate& faceplate, FreeRetrace& retrace, Afterglow& afterglow,
                       LightOverlay& sum, Workers& workers) {
   prepare(workers);
   const auto pass_to = [&](BeamTime video_end) {
@@ -216,8 +216,8 @@ void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begi
     while (now_ < until) {
       if (fields_.empty() || fields_.back().swept.end <= now_) {
         if (fields_.size() == 2) {
-          const auto rasters = screen.bent(fields_.front().warp);
-          leave(fields_.front(), *rasters, screen, &sum, afterglow, workers);
+          const auto rasters = faceplate.bent(fields_.front().warp);
+          leave(fields_.front(), *rasters, faceplate, &sum, afterglow, workers);
         }
         begin_field(sweep_.field_at(now_));
       }
@@ -236,7 +236,7 @@ void FreeRaster::pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begi
     buffer.vertical_retrace();
   }
   pass_to(end);
-  for (Field& field : fields_) show(field, *screen.bent(field.warp), screen, sum, workers);
+  for (Field& field : fields_) show(field, *faceplate.bent(field.warp), faceplate, sum, workers);
   afterglow.gather(sum, workers);
 }
 

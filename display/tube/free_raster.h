@@ -11,11 +11,11 @@
 #include "display/phosphor.h"
 #include "display/phosphor_layer.h"
 #include "display/tube/afterglow.h"
+#include "display/tube/faceplate.h"
 #include "display/tube/free_retrace.h"
 #include "display/tube/free_sweep.h"
 #include "display/tube/gun.h"
 #include "display/tube/light_planes.h"
-#include "display/tube/screen.h"
 #include "display/tube/sweep_warp.h"
 
 namespace kinescope {
@@ -25,7 +25,7 @@ class FreeRaster {
   /// @param signals that the guns follow
   /// @param layers of the faceplate, each with the index of its signal as its gun
   FreeRaster(const TubeSettings& settings, std::span<const Signal> signals,
-             std::span<const ScreenLayer> layers, std::span<const Phosphor> laws);
+             std::span<const FaceplateLayer> layers, std::span<const Phosphor> laws);
 
   /// Turns those that leave the raster where it is.
   void turn_knobs(const TubeSettings& settings);
@@ -36,10 +36,10 @@ class FreeRaster {
   /// The light of [begin, end) in the video's clock, added to `sum`; pages of the buffer flip as
   /// the video, not the sweep, retraces.
   void pass(const RasterScan& scan, FrameBuffer& buffer, BeamTime begin, BeamTime end,
-            const Screen& screen, FreeRetrace& retrace, Afterglow& afterglow, LightOverlay& sum,
-            Workers& workers);
+            const Faceplate& faceplate, FreeRetrace& retrace, Afterglow& afterglow,
+            LightOverlay& sum, Workers& workers);
   /// Everything that still glows passes to the afterglow, at the end of the last pass.
-  void leave(const Screen& screen, Afterglow& afterglow, Workers& workers);
+  void leave(const Faceplate& faceplate, Afterglow& afterglow, Workers& workers);
 
  private:
   struct Field {
@@ -66,7 +66,7 @@ class FreeRaster {
   void pass_line(Field& field, BeamTime begin, BeamTime end, int line, Scratch& scratch);
   BeamTime line_begin(const SweptField& swept, int line) const;
   static int cells_begun(BeamTime since_first, int cells);
-  void show(Field& field, const GunRasters& rasters, const Screen& screen, LightOverlay& sum,
+  void show(Field& field, const GunRasters& rasters, const Faceplate& faceplate, LightOverlay& sum,
             Workers& workers) const;
   void darken(LayerLight& light, Workers& workers) const;
   void left_of(Field& field, std::size_t layer, std::size_t term, LayerLight& light,
@@ -74,14 +74,14 @@ class FreeRaster {
   int lines_begun(const Field& field) const;
   void take_off(LayerLight& from, const LayerLight& light, double share, Workers& workers) const;
   std::pair<int, int> lit_lines(const LayerLight& light) const;
-  void leave(Field& field, const GunRasters& rasters, const Screen& screen, LightOverlay* sum,
+  void leave(Field& field, const GunRasters& rasters, const Faceplate& faceplate, LightOverlay* sum,
              Afterglow& afterglow, Workers& workers);
 
   TubeSettings settings_;
   FreeSweep sweep_;
   Gun gun_;
   std::vector<Signal> signals_;
-  std::vector<ScreenLayer> layers_;
+  std::vector<FaceplateLayer> layers_;
   std::vector<Phosphor> laws_;
   int cells_, lines_;
   float dose_scale_;               // of white, to a cell of one sweep

@@ -68,10 +68,10 @@ void FreeRaster::take_off(LayerLight& from, const LayerLight& light, double shar
   });
 }
 
-/// Lays the field's light of this pass on the screen, if there is a sum for it, and hands over what
-/// is left: all at once, for the lines lie alike. Of a field that was drawn before this pass, what
-/// a term gave in it is a multiple of what it has left, and needs no spreading of its own.
-void FreeRaster::leave(Field& field, const GunRasters& rasters, const Screen& screen,
+/// Lays the field's light of this pass on the faceplate, if there is a sum for it, and hands over
+/// what is left: all at once, for the lines lie alike. Of a field that was drawn before this pass,
+/// what a term gave in it is a multiple of what it has left, and needs no spreading of its own.
+void FreeRaster::leave(Field& field, const GunRasters& rasters, const Faceplate& faceplate,
                        LightOverlay* sum, Afterglow& afterglow, Workers& workers) {
   const BeamTime drawn = line_begin(field.swept, field.swept.lines);
   const double since_last_s =
@@ -83,7 +83,7 @@ void FreeRaster::leave(Field& field, const GunRasters& rasters, const Screen& sc
     while (leaving_.size() < terms.size()) {
       leaving_.push_back({{cells_, lines_}, {cells_, lines_}});
     }
-    std::vector<Screen::Spread> spreads;
+    std::vector<Faceplate::Spread> spreads;
     for (std::size_t term = 0; term < terms.size(); ++term) {
       const double tau_s = terms[term].tau.count();
       const double left = decayed(since_last_s, tau_s).left;
@@ -104,14 +104,14 @@ void FreeRaster::leave(Field& field, const GunRasters& rasters, const Screen& sc
       const auto [begin, end] = lit_lines(field.light[i]);
       if (begin < end) spreads.push_back({&field.light[i], {{{&(*sum)[i], 1}}}, begin, end});
     }
-    screen.spread(rasters, i, spreads, workers);
+    faceplate.spread(rasters, i, spreads, workers);
     darken(field.light[i], workers);
   }
 }
 
-void FreeRaster::leave(const Screen& screen, Afterglow& afterglow, Workers& workers) {
+void FreeRaster::leave(const Faceplate& faceplate, Afterglow& afterglow, Workers& workers) {
   for (Field& field : fields_) {
-    leave(field, *screen.bent(field.warp), screen, nullptr, afterglow, workers);
+    leave(field, *faceplate.bent(field.warp), faceplate, nullptr, afterglow, workers);
   }
   fields_.clear();
 }

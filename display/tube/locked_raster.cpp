@@ -23,7 +23,7 @@ int frames_to_settle(const Phosphor& phosphor, const VideoMode& mode) {
 }  // namespace
 
 LockedRaster::LockedRaster(const VideoMode& mode, std::span<const Signal> signals,
-                           std::span<const ScreenLayer> layers, std::span<const Phosphor> laws)
+                           std::span<const FaceplateLayer> layers, std::span<const Phosphor> laws)
     : cells_(mode.horizontal.active),
       lines_(mode.vertical.active),
       signals_(signals.begin(), signals.end()) {
@@ -114,7 +114,7 @@ bool LockedRaster::pass(const RasterScan& scan, const Gun& gun, FrameBuffer& buf
   return true;
 }
 
-void LockedRaster::leave(const RasterScan& scan, BeamTime now, const Screen& screen,
+void LockedRaster::leave(const RasterScan& scan, BeamTime now, const Faceplate& faceplate,
                          Afterglow& afterglow, Workers& workers) {
   LayerLight light{{cells_, lines_}, {cells_, lines_}};
   std::vector<std::uint8_t> glows(static_cast<std::size_t>(lines_));
@@ -133,8 +133,8 @@ void LockedRaster::leave(const RasterScan& scan, BeamTime now, const Screen& scr
       });
       if (std::find(glows.begin(), glows.end(), 1) == glows.end()) continue;
       const Afterglow::Opened opened = afterglow.open(i, term);
-      const Screen::Spread spread{&light, {{{&opened.to_come, opened.scale}}}};
-      screen.spread(screen.rasters(), i, {&spread, 1}, workers);
+      const Faceplate::Spread spread{&light, {{{&opened.to_come, opened.scale}}}};
+      faceplate.spread(faceplate.rasters(), i, {&spread, 1}, workers);
     }
     phosphor.darken();
   }

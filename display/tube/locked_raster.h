@@ -9,9 +9,9 @@
 #include "display/phosphor_layer.h"
 #include "display/raster_scan.h"
 #include "display/tube/afterglow.h"
+#include "display/tube/faceplate.h"
 #include "display/tube/gun.h"
 #include "display/tube/light_planes.h"
-#include "display/tube/screen.h"
 #include "display/tube/signal_doses.h"
 
 namespace kinescope {
@@ -21,7 +21,7 @@ class LockedRaster {
   /// @param signals that the guns follow
   /// @param layers of the faceplate, each with the index of its signal as its gun
   LockedRaster(const VideoMode& mode, std::span<const Signal> signals,
-               std::span<const ScreenLayer> layers, std::span<const Phosphor> laws);
+               std::span<const FaceplateLayer> layers, std::span<const Phosphor> laws);
 
   /// What an exposure spends where, ms.
   struct Times {
@@ -36,7 +36,7 @@ class LockedRaster {
   std::span<const LayerLight> light() const { return work_.light; }
 
   /// Everything that still glows at a time passes to the afterglow.
-  void leave(const RasterScan& scan, BeamTime now, const Screen& screen, Afterglow& afterglow,
+  void leave(const RasterScan& scan, BeamTime now, const Faceplate& faceplate, Afterglow& afterglow,
              Workers& workers);
   void darken();
   /// Forgets what it has read: guns or their knobs are others.

@@ -26,7 +26,7 @@ char hue(const Image<Srgb8>& shot) {
   return c.b > 100 && c.r < 100 && c.g < 100 ? 'b' : ' ';
 }
 
-class FilmWindow : public Window {
+class FilmWindow : public ProgramWindow {
  protected:
   std::string film() {
     const std::string path = folder_ / "colours.y4m";

@@ -14,7 +14,7 @@
 namespace kinescope {
 namespace {
 
-TEST_F(Window, ShowsTheTeapotAndAnswersKeys) {
+TEST_F(ProgramWindow, ShowsTheTeapotAndAnswersKeys) {
   start({"demo", "teapot"});
   ASSERT_TRUE(shown());
   EXPECT_LT(mean_code(shot_), 120);
@@ -54,7 +54,7 @@ std::size_t peak_memory(pid_t pid) {
   return place == std::string::npos ? 0 : std::stoul(status.substr(place + 6)) * 1024;
 }
 
-TEST_F(Window, EscapeLeavesFullScreenFirst) {
+TEST_F(ProgramWindow, EscapeLeavesFullScreenFirst) {
   start({"demo", "teapot"});
   ASSERT_TRUE(shown());
   key("F11");
@@ -66,7 +66,7 @@ TEST_F(Window, EscapeLeavesFullScreenFirst) {
   EXPECT_EQ(program_->wait(kPatience), 0) << test::read_text(folder_ / "said.txt");
 }
 
-TEST_F(Window, IsNoLargerThanTheScreen) {
+TEST_F(ProgramWindow, IsNoLargerThanTheScreen) {
   start({"demo", "lines"}, "1280x960");
   // The side panel reaches the screen's right and nearly its bottom.
   EXPECT_TRUE(until([](const auto& shot) {
@@ -79,7 +79,7 @@ TEST_F(Window, IsNoLargerThanTheScreen) {
   })) << "part of the window is off the screen";
 }
 
-TEST_F(Window, HoldsTheTeapotInLittleMemory) {
+TEST_F(ProgramWindow, HoldsTheTeapotInLittleMemory) {
   if (kSanitized) GTEST_SKIP() << "a sanitizer's own memory would be counted";
   display_.emplace(1280, 960);
   start({"demo", "teapot"}, "1280x960");
@@ -90,7 +90,7 @@ TEST_F(Window, HoldsTheTeapotInLittleMemory) {
   EXPECT_LT(peak, 150'000'000u);
 }
 
-TEST_F(Window, ShowsThePlotOfVector) {
+TEST_F(ProgramWindow, ShowsThePlotOfVector) {
   // A frame around the page.
   test::write_text(folder_ / "a.hpgl", "IN;SP1;PA0,0;PD4000,0,4000,3000,0,3000,0,0");
   start({"vector", "a.hpgl"});
@@ -126,7 +126,7 @@ class Line {
   int fd_;
 };
 
-TEST_F(Window, ATerminalShowsPagesCopiesAndACrosshair) {
+TEST_F(ProgramWindow, ATerminalShowsPagesCopiesAndACrosshair) {
   start_line(
       {"bash", "-c", "exec " KINESCOPE_BIN_DIR "/kinescope vector --pty --size 640x480 > name"});
   std::string name;
@@ -191,7 +191,7 @@ TEST_F(Window, ATerminalShowsPagesCopiesAndACrosshair) {
   EXPECT_EQ(program_->wait(kPatience), 0) << test::read_text(folder_ / "said.txt");
 }
 
-TEST_F(Window, ShowsThePictureOfDisplay) {
+TEST_F(ProgramWindow, ShowsThePictureOfDisplay) {
   start({"display", "pattern:ebu-bars"});
   ASSERT_TRUE(shown());
   const auto like = [](Srgb8 c, bool r, bool g, bool b) {
@@ -206,7 +206,7 @@ TEST_F(Window, ShowsThePictureOfDisplay) {
   EXPECT_EQ(program_->wait(kPatience), 0) << test::read_text(folder_ / "said.txt");
 }
 
-TEST_F(Window, GalleryFindsAndStartsADemoAndEscapeReturns) {
+TEST_F(ProgramWindow, GalleryFindsAndStartsADemoAndEscapeReturns) {
   start({});
   ASSERT_TRUE(shown());
   const Image<Srgb8> all = display_->screenshot();

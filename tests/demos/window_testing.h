@@ -37,7 +37,7 @@ inline double changed(const Image<Srgb8>& a, const Image<Srgb8>& b) {
   return static_cast<double>(count) / static_cast<double>(a.pixels().size());
 }
 
-class Window : public ::testing::Test {
+class ProgramWindow : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!VirtualDisplay::available()) {

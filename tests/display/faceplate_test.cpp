@@ -1,5 +1,5 @@
 // The front of the tube against sums over every cell and pixel, taken one by one.
-#include "display/tube/screen.h"
+#include "display/tube/faceplate.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ TubeSettings small_tube() {
   return settings;
 }
 
-const ScreenLayer kLayers[3] = {{0, {1, 0, 0}}, {1, {0, 1, 0}}, {2, {0, 0, 1}}};
+const FaceplateLayer kLayers[3] = {{0, {1, 0, 0}}, {1, {0, 1, 0}}, {2, {0, 0, 1}}};
 
 /// Random currents, as each gun's two Gaussians draw them.
 std::vector<LayerLight> random_light(const SpotModel& spot, std::uint32_t seed) {
@@ -113,10 +113,10 @@ class StepReference {
 /// The largest difference from the reference, white being 1, over a sample of pixels.
 double largest_difference(const TubeSettings& settings) {
   const std::vector<LayerLight> light = random_light(SpotModel(settings.spot), 7);
-  Screen screen(settings, kLayers, kWidth, kHeight);
+  Faceplate faceplate(settings, kLayers, kWidth, kHeight);
   Workers workers(2);
   Image<LinearRgb> picture;
-  screen.show(light, workers, picture);
+  faceplate.show(light, workers, picture);
   double largest = 0;
   for (int gun = 0; gun < 3; ++gun) {
     const StepReference reference(settings, gun);
@@ -132,7 +132,7 @@ double largest_difference(const TubeSettings& settings) {
   return largest;
 }
 
-TEST(Screen, StraightRasterAgreesWithSteps) {
+TEST(Faceplate, StraightRasterAgreesWithSteps) {
   TubeSettings settings = small_tube();
   EXPECT_LT(largest_difference(settings), 0.01);
   settings.deflection.width = 0.9;
@@ -142,7 +142,7 @@ TEST(Screen, StraightRasterAgreesWithSteps) {
   EXPECT_LT(largest_difference(settings), 0.012);
 }
 
-TEST(Screen, CurvedRasterAgreesWithSteps) {
+TEST(Faceplate, CurvedRasterAgreesWithSteps) {
   TubeSettings settings = small_tube();
   settings.deflection.pincushion_x = 0.03;
   settings.deflection.pincushion_y = 0.02;
@@ -155,7 +155,7 @@ TEST(Screen, CurvedRasterAgreesWithSteps) {
   EXPECT_LT(largest_difference(settings), 0.03);
 }
 
-TEST(Screen, ACurvedRasterOutOfFocusAgreesWithSteps) {
+TEST(Faceplate, ACurvedRasterOutOfFocusAgreesWithSteps) {
   for (const double focus : {1.7, 2.2, 4.0}) {  // a half to more than a line wide
     TubeSettings settings = small_tube();
     settings.spot.focus = focus;
@@ -168,7 +168,7 @@ TEST(Screen, ACurvedRasterOutOfFocusAgreesWithSteps) {
   }
 }
 
-TEST(Screen, PhotographsAreTheEncodedLight) {
+TEST(Faceplate, PhotographsAreTheEncodedLight) {
   TubeSettings settings = small_tube();
   settings.glass.halation = 0.1;
   settings.glass.halation_mm = 1;
@@ -176,12 +176,12 @@ TEST(Screen, PhotographsAreTheEncodedLight) {
   settings.mask.kind = MaskKind::kGrille;
   settings.mask.pitch_mm = 1;
   const std::vector<LayerLight> light = random_light(SpotModel(settings.spot), 3);
-  Screen screen(settings, kLayers, kWidth, kHeight);
+  Faceplate faceplate(settings, kLayers, kWidth, kHeight);
   Workers workers(1);
   Image<LinearRgb> picture;
-  screen.show(light, workers, picture);
+  faceplate.show(light, workers, picture);
   Image<Srgb8> photograph(kWidth + 7, kHeight + 5);
-  screen.photograph(light, workers, 0.7f, photograph, 4, 3);
+  faceplate.photograph(light, workers, 0.7f, photograph, 4, 3);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const LinearRgb p = picture.at(x, y);
@@ -198,7 +198,7 @@ TEST(Screen, PhotographsAreTheEncodedLight) {
   EXPECT_EQ(photograph.at(3, 3), Srgb8{});
 }
 
-TEST(Screen, HalationTakesFromALightAndGivesToItsSurroundings) {
+TEST(Faceplate, HalationTakesFromALightAndGivesToItsSurroundings) {
   TubeSettings settings = small_tube();
   settings.glass.halation_mm = 1.5;
   std::vector<LayerLight> light;
@@ -209,9 +209,9 @@ TEST(Screen, HalationTakesFromALightAndGivesToItsSurroundings) {
   Workers workers(2);
   const auto sum_and_corner = [&](double share) {
     settings.glass.halation = share;
-    Screen screen(settings, kLayers, kWidth, kHeight);
+    Faceplate faceplate(settings, kLayers, kWidth, kHeight);
     Image<LinearRgb> picture;
-    screen.show(light, workers, picture);
+    faceplate.show(light, workers, picture);
     double sum = 0;
     for (const LinearRgb& p : picture.pixels()) sum += static_cast<double>(p.g);
     return std::pair(sum, static_cast<double>(picture.at(84, 42).g));  // 14 pixels above the light
@@ -235,7 +235,7 @@ Blob blob_of_cell(const TubeSettings& settings, int cell, int width, int height)
   }
   Workers workers(1);
   Image<LinearRgb> picture;
-  Screen(settings, kLayers, width, height).show(light, workers, picture);
+  Faceplate(settings, kLayers, width, height).show(light, workers, picture);
   Blob blob;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -247,7 +247,7 @@ Blob blob_of_cell(const TubeSettings& settings, int cell, int width, int height)
   return blob;
 }
 
-TEST(Screen, ACurvedPictureWithFewerPixelsThanTheLineHasCellsLosesNone) {
+TEST(Faceplate, ACurvedPictureWithFewerPixelsThanTheLineHasCellsLosesNone) {
   TubeSettings settings = small_tube();
   settings.deflection.rotation_deg = 1e-6;  // as good as straight
   for (const int width : {44, 40, 32, 24}) {

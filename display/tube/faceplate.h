@@ -17,28 +17,29 @@ namespace kinescope {
 struct GunRasters;
 struct SweepWarp;
 
-/// One phosphor layer as the screen needs it.
-struct ScreenLayer {
+/// One phosphor layer as the faceplate needs it.
+struct FaceplateLayer {
   int gun = 0;                    ///< whose beam writes it: 0 red, 1 green, 2 blue
   std::array<float, 3> colour{};  ///< linear sRGB of its light
 };
 
-class Screen {
+class Faceplate {
  public:
   /// @param layers one to three
   /// @param like what follows from the same settings and size is shared with it
-  Screen(const TubeSettings& settings, std::span<const ScreenLayer> layers, int width, int height,
-         const Screen* like = nullptr);
-  ~Screen();
-  Screen(Screen&&) noexcept;
-  Screen& operator=(Screen&&) noexcept;
+  Faceplate(const TubeSettings& settings, std::span<const FaceplateLayer> layers, int width,
+            int height, const Faceplate* like = nullptr);
+  ~Faceplate();
+  Faceplate(Faceplate&&) noexcept;
+  Faceplate& operator=(Faceplate&&) noexcept;
 
   /// The light of every output pixel; white over one refresh is 1.
   /// How long the next exposures last, in refreshes: so much of the room's light comes in.
   void set_length(double refreshes);
-  /// Light that lies over the raster's from now on, the screen's size for each layer; empty: none.
+  /// Light that lies over the raster's from now on, the faceplate's size for each layer; empty:
+  /// none.
   void set_overlay(const std::vector<std::vector<float>>* overlay);
-  /// @param out is given the screen's size
+  /// @param out is given the faceplate's size
   /// @param light of each layer's raster; empty if all light lies over it
   /// @return ms of it that halation took
   double show(std::span<const LayerLight> light, Workers& workers, Image<LinearRgb>& out);
@@ -49,7 +50,7 @@ class Screen {
   /// The guns' rasters as they lie, and as one sweep of a free raster has them.
   const GunRasters& rasters() const;
   std::shared_ptr<const GunRasters> bent(const SweepWarp& warp) const;
-  /// Light of one layer's raster, and the planes of the screen's size to which it is added.
+  /// Light of one layer's raster, and the planes of the faceplate's size to which it is added.
   struct Spread {
     const LayerLight* light = nullptr;
     struct Share {

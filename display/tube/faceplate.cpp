@@ -1,4 +1,4 @@
-#include "display/tube/screen.h"
+#include "display/tube/faceplate.h"
 
 #include <algorithm>
 #include <chrono>
@@ -91,8 +91,8 @@ bool have_lines_alike(const std::vector<Raster>& rasters) {
 
 }  // namespace
 
-struct Screen::State {
-  State(const TubeSettings& s, std::span<const ScreenLayer> its_layers, int w, int h,
+struct Faceplate::State {
+  State(const TubeSettings& s, std::span<const FaceplateLayer> its_layers, int w, int h,
         const State* like);
   double draw(std::span<const LayerLight> light, Workers& workers, float gain,
               const Finish& finish);
@@ -111,7 +111,7 @@ struct Screen::State {
   }
 
   TubeSettings settings;
-  std::vector<ScreenLayer> layers;
+  std::vector<FaceplateLayer> layers;
   int width, height;
   int tile_columns;
   std::shared_ptr<const GunRasters> rasters;
@@ -124,11 +124,11 @@ struct Screen::State {
   std::vector<LayerLight> blurred_light;
 };
 
-Screen::State::State(const TubeSettings& s, std::span<const ScreenLayer> its_layers, int w, int h,
-                     const State* like)
+Faceplate::State::State(const TubeSettings& s, std::span<const FaceplateLayer> its_layers, int w,
+                        int h, const State* like)
     : settings(s), layers(its_layers.begin(), its_layers.end()), width(w), height(h) {
   int guns = 0;
-  for (const ScreenLayer& layer : layers) guns = std::max(guns, layer.gun + 1);
+  for (const FaceplateLayer& layer : layers) guns = std::max(guns, layer.gun + 1);
   const bool alike = like != nullptr && like->width == w && like->height == h &&
                      like->rasters->of_gun.size() == static_cast<std::size_t>(guns);
   const bool straight = is_separable(s) && !is_free(s);
@@ -144,7 +144,7 @@ Screen::State::State(const TubeSettings& s, std::span<const ScreenLayer> its_lay
 }
 
 /// What all rows have in common.
-FinishRow Screen::State::finish_row(float gain) const {
+FinishRow Faceplate::State::finish_row(float gain) const {
   FinishRow row;
   row.layers = static_cast<int>(layers.size());
   const float kept = (1 - halation.share()) * gain / mask->one();
@@ -158,7 +158,7 @@ FinishRow Screen::State::finish_row(float gain) const {
   return row;
 }
 
-void Screen::State::set_row(FinishRow& row, const Scratch& s, int x, int y) const {
+void Faceplate::State::set_row(FinishRow& row, const Scratch& s, int x, int y) const {
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     row.light[layer] = s.row[layer].data();
     row.mask[layer] = mask->row(layers[layer].gun, y, x);
@@ -167,8 +167,8 @@ void Screen::State::set_row(FinishRow& row, const Scratch& s, int x, int y) cons
   }
 }
 
-void Screen::State::draw_tile(std::span<const LayerLight> light, Scratch& s, int x, int top,
-                              float gain, const Finish& finish) const {
+void Faceplate::State::draw_tile(std::span<const LayerLight> light, Scratch& s, int x, int top,
+                                 float gain, const Finish& finish) const {
   const int n = std::min(tile_columns, width - x), groups = (n + kGroup - 1) / kGroup;
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     s.row[layer].assign(static_cast<std::size_t>(tile_columns), 0.0f);
@@ -187,7 +187,7 @@ void Screen::State::draw_tile(std::span<const LayerLight> light, Scratch& s, int
   }
 }
 
-void Screen::State::spread_row(std::span<const LayerLight> light, Scratch& s, int y) const {
+void Faceplate::State::spread_row(std::span<const LayerLight> light, Scratch& s, int y) const {
   if (!lines_alike) {
     for (std::size_t layer = 0; layer < layers.size(); ++layer) {
       std::visit(
@@ -209,8 +209,8 @@ void Screen::State::spread_row(std::span<const LayerLight> light, Scratch& s, in
 }
 
 /// @param alone whether no raster's light lies below it
-void Screen::State::add_overlay(Scratch& s, std::size_t layer, int x, int y, int n,
-                                bool alone) const {
+void Faceplate::State::add_overlay(Scratch& s, std::size_t layer, int x, int y, int n,
+                                   bool alone) const {
   const float* const over = (*overlay)[layer].data() + static_cast<std::ptrdiff_t>(y) * width + x;
   float* const row = s.row[layer].data();
   if (alone) std::fill_n(row, n, 0.0f);
@@ -218,13 +218,13 @@ void Screen::State::add_overlay(Scratch& s, std::size_t layer, int x, int y, int
 }
 
 /// One row of a tile, of rasters that lie alike.
-void spread_alike(const StraightRaster& raster, std::span<const Screen::Spread> lights, int y,
+void spread_alike(const StraightRaster& raster, std::span<const Faceplate::Spread> lights, int y,
                   Scratch& s) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     raster.spread_row(*lights[i].light, s.ring[i], y, s.row[i].data());
   }
 }
-void spread_alike(const CurvedRaster& raster, std::span<const Screen::Spread> lights, int y,
+void spread_alike(const CurvedRaster& raster, std::span<const Faceplate::Spread> lights, int y,
                   Scratch& s) {
   std::array<LineRows, kMostLayers> rows;
   for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -234,8 +234,8 @@ void spread_alike(const CurvedRaster& raster, std::span<const Screen::Spread> li
   raster.lines_down(s.ring[0], y, {rows.data(), lights.size()});
 }
 
-void Screen::State::spread_tile(const Raster& of_gun, std::span<const Spread> lights, Scratch& s,
-                                int x, int top) const {
+void Faceplate::State::spread_tile(const Raster& of_gun, std::span<const Spread> lights, Scratch& s,
+                                   int x, int top) const {
   const int n = std::min(tile_columns, width - x), groups = (n + kGroup - 1) / kGroup;
   int lit_begin = Spread::kEveryLine, lit_end = 0;
   for (const Spread& light : lights) {
@@ -266,8 +266,8 @@ void Screen::State::spread_tile(const Raster& of_gun, std::span<const Spread> li
       of_gun);
 }
 
-void Screen::State::spread(const Raster& raster, std::span<const Spread> any_lights,
-                           Workers& workers) const {
+void Faceplate::State::spread(const Raster& raster, std::span<const Spread> any_lights,
+                              Workers& workers) const {
   std::vector<Spread> lights(any_lights.begin(), any_lights.end());
   std::vector<LayerLight> blurred;
   const auto* curved = std::get_if<CurvedRaster>(&raster);
@@ -295,8 +295,8 @@ void Screen::State::spread(const Raster& raster, std::span<const Spread> any_lig
 }
 
 /// Of a spot wider than taps reach, what they are to spread.
-std::span<const LayerLight> Screen::State::blurred(std::span<const LayerLight> light,
-                                                   Workers& workers) {
+std::span<const LayerLight> Faceplate::State::blurred(std::span<const LayerLight> light,
+                                                      Workers& workers) {
   const auto* curved = std::get_if<CurvedRaster>(&rasters->of_gun.front());
   if (light.empty() || !curved || curved->blur().empty()) return light;
   const int cells = settings.mode.horizontal.active, lines = lines_of(settings);
@@ -307,8 +307,8 @@ std::span<const LayerLight> Screen::State::blurred(std::span<const LayerLight> l
   return blurred_light;
 }
 
-double Screen::State::draw(std::span<const LayerLight> light, Workers& workers, float gain,
-                           const Finish& finish) {
+double Faceplate::State::draw(std::span<const LayerLight> light, Workers& workers, float gain,
+                              const Finish& finish) {
   scratch.resize(static_cast<std::size_t>(workers.count()));
   const auto began = std::chrono::steady_clock::now();
   halation.gather(light, overlay, mask->one(), workers);
@@ -323,21 +323,21 @@ double Screen::State::draw(std::span<const LayerLight> light, Workers& workers, 
   return glow.count();
 }
 
-Screen::Screen(const TubeSettings& settings, std::span<const ScreenLayer> layers, int width,
-               int height, const Screen* like)
+Faceplate::Faceplate(const TubeSettings& settings, std::span<const FaceplateLayer> layers,
+                     int width, int height, const Faceplate* like)
     : state_(std::make_unique<State>(settings, layers, width, height,
                                      like == nullptr ? nullptr : like->state_.get())) {}
-Screen::~Screen() = default;
-Screen::Screen(Screen&&) noexcept = default;
-Screen& Screen::operator=(Screen&&) noexcept = default;
+Faceplate::~Faceplate() = default;
+Faceplate::Faceplate(Faceplate&&) noexcept = default;
+Faceplate& Faceplate::operator=(Faceplate&&) noexcept = default;
 
-void Screen::set_overlay(const std::vector<std::vector<float>>* overlay) {
+void Faceplate::set_overlay(const std::vector<std::vector<float>>* overlay) {
   state_->overlay = overlay && !overlay->empty() ? overlay : nullptr;
 }
 
-void Screen::set_length(double refreshes) { state_->refreshes = refreshes; }
+void Faceplate::set_length(double refreshes) { state_->refreshes = refreshes; }
 
-double Screen::show(std::span<const LayerLight> light, Workers& workers, Image<LinearRgb>& out) {
+double Faceplate::show(std::span<const LayerLight> light, Workers& workers, Image<LinearRgb>& out) {
   if (out.width() != state_->width || out.height() != state_->height) {
     out = Image<LinearRgb>(state_->width, state_->height);
   }
@@ -346,17 +346,17 @@ double Screen::show(std::span<const LayerLight> light, Workers& workers, Image<L
   });
 }
 
-double Screen::photograph(std::span<const LayerLight> light, Workers& workers, float gain,
-                          Image<Srgb8>& out, int left, int top) {
+double Faceplate::photograph(std::span<const LayerLight> light, Workers& workers, float gain,
+                             Image<Srgb8>& out, int left, int top) {
   return state_->draw(light, workers, gain, [&](FinishRow& row, int x, int y, int n) {
     row.out_below = out.row(top + std::min(y + 1, state_->height - 1)) + left + x;
     finish_encoded(row, n, out.row(top + y) + left + x);
   });
 }
 
-const GunRasters& Screen::rasters() const { return *state_->rasters; }
+const GunRasters& Faceplate::rasters() const { return *state_->rasters; }
 
-std::shared_ptr<const GunRasters> Screen::bent(const SweepWarp& warp) const {
+std::shared_ptr<const GunRasters> Faceplate::bent(const SweepWarp& warp) const {
   auto bent = std::make_shared<GunRasters>();
   for (const Raster& raster : state_->rasters->of_gun) {
     bent->of_gun.emplace_back(std::get<CurvedRaster>(raster).bent(warp));
@@ -364,8 +364,8 @@ std::shared_ptr<const GunRasters> Screen::bent(const SweepWarp& warp) const {
   return bent;
 }
 
-void Screen::spread(const GunRasters& rasters, std::size_t layer, std::span<const Spread> lights,
-                    Workers& workers) const {
+void Faceplate::spread(const GunRasters& rasters, std::size_t layer, std::span<const Spread> lights,
+                       Workers& workers) const {
   const int gun = state_->layers[layer].gun;
   state_->spread(rasters.of_gun[static_cast<std::size_t>(gun)], lights, workers);
 }
