@@ -25,7 +25,7 @@ class Samples : public ClonableDemo<Samples, Lesson> {
             {.look_for = "A bitmap keeps one bit a pixel, a pixmap more; magnified, both show "
                          "their samples, vectors their edge. Drag the lens, change the bits; "
                          "PageUp and PageDown change the resolution.",
-             .handles = {{"lens", {0.5, 0.45}}},
+             .handles = {{"lens", {0.7, 0.36}}},
              .figures = {{"bits", 8, 2, 24, 1, false}, {"times", 5, 2, 12, 1, false}},
              .resolution = 5,
              .speed = 4},
@@ -33,6 +33,7 @@ class Samples : public ClonableDemo<Samples, Lesson> {
 
  private:
   glm::ivec2 panes() const override { return {2, 2}; }
+  bool handle_in(int, int pane) const override { return pane != kMagnified; }
 
   Course record() const override {
     const World pane = world();
