@@ -15,15 +15,14 @@ namespace kinescope {
 /// memory from call to call.
 class BeamPainter {
  public:
-  /// Chunks of marks, each of at most kChunkMarks. Those that are not finite are left out; what
-  /// lies outside the picture is clipped, in place, its light lost as it is beside a screen.
+  /// Marks that are not finite are left out; what lies outside the picture is clipped, in place,
+  /// its light lost as it is beside a screen.
+  /// @param chunks sorted apart from each other: some for each worker
   void draw(std::span<BeamMarks> chunks, TiledLight& light, Workers& workers);
   /// The same of plain strokes.
   /// @param weights for each stroke one for each plane of `light`
   void draw(std::span<const BeamStroke> strokes, std::span<const float> weights, TiledLight& light,
             Workers& workers);
-
-  static constexpr std::size_t kChunkMarks = 1 << 20;
 
  private:
   struct Tiles {

@@ -30,4 +30,7 @@ inline constexpr float kSpotReach = 4;
 /// kernel. Within a thousandth of the largest share, whatever the width, length and direction.
 double stroke_share(const BeamStroke& stroke, int x, int y);
 
+/// The same of spots, within 5e-4 of the largest share.
+double spots_share(const BeamSpots& spots, int x, int y);
+
 }  // namespace kinescope

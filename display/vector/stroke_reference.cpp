@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "display/vector/beam_stroke.h"
@@ -47,6 +49,16 @@ double stroke_share(const BeamStroke& stroke, int x, int y) {
     }
   }
   return sum / parts;
+}
+
+double spots_share(const BeamSpots& spots, int x, int y) {
+  double sum = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(spots.count); ++k) {
+    const double sigma = std::max(spots.sigma[k], kLeastSigma), share = spots.share[k];
+    sum += share * share_between(x, x + 1, spots.x[k], sigma) *
+           share_between(y, y + 1, spots.y[k], sigma);
+  }
+  return sum;
 }
 
 }  // namespace kinescope

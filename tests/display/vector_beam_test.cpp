@@ -155,6 +155,51 @@ TEST(VectorBeam, KernelAgreesWithItsScalarTwinOnEveryInstructionSet) {
   use_simd_target("best");
 }
 
+/// Up to six near each other, of several widths, across tiles.
+BeamSpots random_spots(std::mt19937& random, int count) {
+  const auto between = [&](float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random);
+  };
+  const float x = between(8, 132), y = between(8, 132), sigma = between(0.05f, 3);
+  BeamSpots spots;
+  spots.count = count;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    spots.x[k] = x + between(-6, 6), spots.y[k] = y + between(-6, 6);
+    spots.sigma[k] = sigma * between(0.3f, 1), spots.share[k] = between(0, 1);
+  }
+  return spots;
+}
+
+TEST(VectorBeam, SpotsAgreeWithTheirScalarTwinOnEveryInstructionSet) {
+  Workers workers(1);
+  for (const std::string& target : simd_targets()) {
+    use_simd_target(target);
+    std::mt19937 random(9);
+    for (int i = 0; i < 60; ++i) {
+      BeamMarks marks;
+      marks.spots.push_back(random_spots(random, 1 + i % BeamSpots::kMost));
+      marks.spot_weights = {2, 0, 1};
+      const BeamSpots& spots = marks.spots[0];
+      TiledLight got(140, 140, 3);
+      BeamPainter().draw(std::span(&marks, 1), got, workers);
+      double most = 0;
+      for (int y = 0; y < 140; ++y) {
+        for (int x = 0; x < 140; ++x) most = std::max(most, spots_share(spots, x, y));
+      }
+      for (int y = 0; y < 140; ++y) {
+        for (int x = 0; x < 140; ++x) {
+          const double want = spots_share(spots, x, y);
+          ASSERT_NEAR(static_cast<double>(got.at(0, x, y)), 2 * want, 1e-3 * most)
+              << target << " " << x << " " << y;
+          ASSERT_EQ(got.at(1, x, y), 0);
+          ASSERT_NEAR(static_cast<double>(got.at(2, x, y)), want, 5e-4 * most) << target;
+        }
+      }
+    }
+  }
+  use_simd_target("best");
+}
+
 TEST(VectorBeam, IsTheSameForAnyNumberOfThreads) {
   const auto strokes = random_strokes(20000, 5, 400, 60, 0.3f, 2);
   const TiledLight one = painted(strokes, 400, 300, 1), three = painted(strokes, 400, 300, 3);
@@ -191,6 +236,16 @@ TEST(VectorBeam, EachPlaneHasItsWeight) {
 TEST(VectorBeam, LeavesOutWhatIsNotFiniteAndClipsWhatIsFarAway) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinite = std::numeric_limits<float>::infinity();
+  BeamMarks spots;
+  spots.spots = {{1, {nan}, {5}, {1}, {1}},
+                 {2, {5, 5}, {5, infinite}, {1, 1}, {1, 1}},
+                 {1, {5}, {5}, {nan}, {1}},
+                 {1, {1e9f}, {-1e9f}, {1}, {1}}};
+  spots.spot_weights.assign(4, 1.0f);
+  TiledLight light(100, 100, 1);
+  Workers workers(1);
+  BeamPainter().draw(std::span(&spots, 1), light, workers);
+  EXPECT_EQ(sum_of(light), 0);
   const std::vector<BeamStroke> bad{{nan, 0, 5, 5, 1},
                                     {0, 0, infinite, 5, 1},
                                     {0, 0, 5, 5, nan},
