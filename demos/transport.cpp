@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace kinescope {
 namespace {
@@ -24,10 +23,10 @@ Transport::Transport(double time_scale) {
 
 bool Transport::answer(const std::string& key, bool repeated) {
   if (key == "Space") {
-    if (!repeated) paused_ = !paused_;
+    if (!repeated) paused_ = !paused_, single_steps_ = 0;
   } else if (key == "." || key == ",") {
     paused_ = true;
-    single_ = key == "." ? Move::kForward : Move::kBack;
+    if (!repeated || single_steps_ == 0) single_steps_ += key == "." ? 1 : -1;
   } else if (key == "[" || key == "]") {
     slowdown_ = std::clamp(slowdown_ + (key == "[" ? 1 : -1), 0, kSlowestPlace);
   } else {
@@ -37,8 +36,8 @@ bool Transport::answer(const std::string& key, bool repeated) {
 }
 
 Move Transport::next() {
-  const Move single = std::exchange(single_, Move::kNone);
-  if (single != Move::kNone) return single;
+  if (single_steps_ > 0) return --single_steps_, Move::kForward;
+  if (single_steps_ < 0) return ++single_steps_, Move::kBack;
   return paused_ ? Move::kNone : Move::kForward;
 }
 

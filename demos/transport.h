@@ -15,15 +15,16 @@ class Transport {
   static constexpr double kSlowest = 1e-5;
 
   explicit Transport(double time_scale = 1);
-  /// A key that is held, `repeated`, steps on; it does not pause in turns.
+  /// Each press of a step's key is a step, however many come between two ticks. A key that is held,
+  /// `repeated`, steps on as fast as the steps are done; it does not pause in turns.
   /// @return whether `key` was one of its own
   bool answer(const std::string& key, bool repeated = false);
-  /// What to do in this tick. A single step is done once.
+  /// What to do in this tick. A single step is done once for each press.
   Move next();
 
   bool paused() const { return paused_; }
   /// Whether the next tick is a single step.
-  bool steps_once() const { return single_ != Move::kNone; }
+  bool steps_once() const { return single_steps_ != 0; }
   /// Simulated seconds a second: 1, 1/2, 1/5, 1/10 ... 1/100000.
   double time_scale() const;
   /// "1x", "1/2000x".
@@ -34,7 +35,7 @@ class Transport {
  private:
   int slowdown_ = 0;  // place in 1, 2, 5, 10, 20 ...
   bool paused_ = false;
-  Move single_ = Move::kNone;
+  int single_steps_ = 0;  // asked for and not done; back: below 0
 };
 
 }  // namespace kinescope

@@ -35,3 +35,6 @@ constexpr int whole_cache_lines(int count) {
 }
 
 }  // namespace kinescope
+
+// Compiled once, and optimized, whoever copies one.
+extern template class std::vector<float, kinescope::CacheLineAllocator<float>>;

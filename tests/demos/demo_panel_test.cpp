@@ -112,6 +112,22 @@ TEST_F(DemoWithPanel, ADragOnThePanelDoesNotReachTheDemo) {
   EXPECT_NE(before, screen.player().picture());
 }
 
+// A slow program finds many keys between two ticks.
+TEST_F(DemoWithPanel, EachPressOfAStepsKeyIsAStep) {
+  run(screen, 3);
+  for (const char* key : {".", ".", "."}) screen.handle(key_down(key));
+  run(screen, 5);
+  EXPECT_EQ(screen.player().steps(), 6);
+  for (const char* key : {",", ","}) screen.handle(key_down(key));
+  run(screen, 5);
+  EXPECT_EQ(screen.player().steps(), 4);
+  InputEvent held = key_down(".");
+  held.repeated = true;
+  for (int i = 0; i < 4; ++i) screen.handle(held);
+  run(screen, 5);
+  EXPECT_EQ(screen.player().steps(), 5) << "what is held does not run on when it is let go";
+}
+
 TEST_F(DemoWithPanel, ResizesToItsWindow) {
   screen.handle(mouse_event(InputKind::kResize, 300, 200));
   screen.handle(mouse_event(InputKind::kResize, 320, 260));

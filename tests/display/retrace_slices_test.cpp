@@ -17,7 +17,7 @@ namespace kinescope {
 namespace {
 
 constexpr int kWidth = 80, kHeight = 60;
-constexpr int kSteps = kSanitized ? 2 : 4;  // a clock
+constexpr int kSteps = 4;  // a clock
 
 /// Half of each line, and a third of all lines, are blanked.
 VideoMode long_blanked_mode() {
