@@ -17,7 +17,7 @@ endfunction()
 # alone are watched, so that the tests of a sanitized build keep their speed.
 function(kinescope_watch_readers)
   list(FILTER ARGV INCLUDE REGEX
-    "/(characters|image|input|io)/|/(assembler|display_processor|l_system|preset|svg_path|turtle)|_words")
+    "/(characters|image|input|io)/|/(assembler|display_processor|font|l_system|preset|svg_path|turtle)|_words")
   set_property(SOURCE ${ARGV} APPEND PROPERTY COMPILE_OPTIONS
     -fsanitize-coverage=inline-8bit-counters,indirect-calls,trace-cmp,pc-table)
 endfunction()
