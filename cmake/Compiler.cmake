@@ -15,11 +15,6 @@ endif()
 if(KINESCOPE_SANITIZE)
   add_compile_options(-fsanitize=${KINESCOPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${KINESCOPE_SANITIZE})
-  # Pointers that leave their object, the address sanitizer finds where they are used; watched where they are
-  # made, they take three quarters of a kernel's compilation.
-  if(KINESCOPE_SANITIZE MATCHES "address,undefined" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-    add_compile_options(-fno-sanitize=pointer-overflow,object-size)
-  endif()
 endif()
 
 # The instruction sets that kernels are compiled for: any x86-64 (Highway's portable target), SSE4,

@@ -29,12 +29,20 @@ function(kinescope_knows_folders)
     KINESCOPE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" KINESCOPE_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
 endfunction()
 
-# What tests are compiled with: most of what they do, they do once, and under sanitizers the optimizer
-# takes two thirds of a test's compilation.
-function(kinescope_test_options name)
+# kinescope_sanitize_unoptimized(TARGETS...): of what does most of its work once. Under sanitizers the
+# optimizer takes two thirds of a test's compilation.
+function(kinescope_sanitize_unoptimized)
   if(KINESCOPE_SANITIZE)
-    target_compile_options(${name} PRIVATE -O0)
-  elseif(CMAKE_BUILD_TYPE STREQUAL "Release")
+    foreach(target IN LISTS ARGN)
+      target_compile_options(${target} PRIVATE -O0)
+    endforeach()
+  endif()
+endfunction()
+
+# What tests are compiled with: most of what they do, they do once.
+function(kinescope_test_options name)
+  kinescope_sanitize_unoptimized(${name})
+  if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT KINESCOPE_SANITIZE)
     target_compile_options(${name} PRIVATE -O1)
   endif()
 endfunction()

@@ -9,8 +9,7 @@
 
 #include "demos/demo.h"
 #include "demos/followed_knobs.h"
-#include "demos/ui/canvas.h"
-#include "demos/ui/theme.h"
+#include "demos/ui/caption.h"
 #include "demos/vector_monitor.h"
 #include "display/phosphor.h"
 #include "display/vector/segment.h"
@@ -92,16 +91,12 @@ class DisplayFileDemo : public ClonableDemo<DisplayFileDemo> {
   void draw(const Step& step, Image<Srgb8>& picture) override {
     monitor_.expose(step, studio().workers, picture);
     const double left = find_phosphor(phosphor()).layers.back().remaining(period_);
-    Canvas canvas(picture);
-    const float size = theme::kBody * theme::scale_for(height());
-    canvas.text(
-        studio().sans,
-        {static_cast<float>(width()) / 2, static_cast<float>(height()) - 0.7f * size},
+    lay_caption(
+        picture, studio().sans,
         fmt::format("{} vectors: a refresh of {:.2f} ms, {:.1f} Hz; {:.2g} % of the light "
                     "is left when the beam comes back",
                     static_cast<int>(knob(kVectors).value) + static_cast<int>(added_.size()),
-                    period_.count() * 1e3, 1 / period_.count(), left * 100),
-        size, theme::kText, Align::kCentre);
+                    period_.count() * 1e3, 1 / period_.count(), left * 100));
   }
 
   std::uint64_t seed_;

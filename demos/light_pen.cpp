@@ -11,6 +11,7 @@
 #include "demos/demo.h"
 #include "demos/pen_hand.h"
 #include "demos/pen_parts.h"
+#include "demos/ui/caption.h"
 #include "demos/ui/theme.h"
 #include "demos/vector_monitor.h"
 
@@ -93,11 +94,8 @@ class LightPenDemo : public ClonableDemo<LightPenDemo> {
     canvas.frame({tip.x - radius, tip.y - radius, 2 * radius, 2 * radius}, 1, theme::kAccent,
                  radius);
     if (!knob(kAddress).on()) return;
-    const float size = theme::kBody * theme::scale_for(height());
-    canvas.text(studio().mono,
-                {static_cast<float>(width()) / 2, static_cast<float>(height()) - 0.7f * size},
-                hit_ ? report() : std::string("the pen has seen nothing yet"), size, theme::kText,
-                Align::kCentre);
+    lay_caption(picture, studio().mono,
+                hit_ ? report() : std::string("the pen has seen nothing yet"));
   }
   std::string report() const {
     return fmt::format("the pen saw {:#06x}: {}, called from {:#06x}: {}", hit_->address,

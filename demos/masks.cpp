@@ -93,8 +93,9 @@ class Masks : public ClonableDemo<Masks> {
     const int which = knob(kWhich).index();
     const int across = which == 0 ? 2 : 1;
     const auto wide = static_cast<float>(width() / across);
-    const auto high = static_cast<float>(height() / across);
-    const float label = 2 * theme::kBody * theme::scale_for(height());
+    const float scale = theme::scale_for(height()), label = 2 * theme::kBody * scale;
+    const int all = height() - static_cast<int>(theme::kWindowLine * scale);
+    const auto high = static_cast<float>(std::max(1, all / across));
     for (int i = 0; i < across * across; ++i) {
       const NamedMask& mask = kMasks[static_cast<std::size_t>(which == 0 ? i : which - 1)];
       const float x = static_cast<float>(i % across) * wide,
@@ -115,11 +116,10 @@ class Masks : public ClonableDemo<Masks> {
 
   void draw(const Step& step, Image<Srgb8>& picture) override {
     std::fill(picture.pixels().begin(), picture.pixels().end(), theme::kBackground);
-    for (Pane& pane : panes_)
-      pane.monitor.expose(step, studio().workers, picture, knob(kIris).value);
     Canvas canvas(picture);
     const float size = theme::kBody * theme::scale_for(height());
-    for (const Pane& pane : panes_) {
+    for (Pane& pane : panes_) {
+      pane.monitor.expose(step, studio().workers, picture, knob(kIris).value);
       const MaskSettings& mask = pane.mask->mask;
       std::string text = pane.mask->name;
       if (mask.kind != MaskKind::kNone) {

@@ -8,8 +8,7 @@
 #include "demos/demo.h"
 #include "demos/followed_knobs.h"
 #include "demos/gnuplot_stream.h"
-#include "demos/ui/canvas.h"
-#include "demos/ui/theme.h"
+#include "demos/ui/caption.h"
 #include "display/light_encode.h"
 #include "display/vector/input/tek_reader.h"
 #include "display/vector/storage_tube.h"
@@ -106,12 +105,7 @@ class Storage : public ClonableDemo<Storage> {
     encode_light(light, ExposureGain::fixed(static_cast<float>(1 / part)), studio().workers,
                  picture);
     if (copy_.width() > 0) lay_copy(picture);
-    Canvas canvas(picture);
-    const float size = theme::kBody * theme::scale_for(height());
-    canvas.text(studio().sans,
-                {static_cast<float>(width()) / 2, static_cast<float>(height()) - 0.7f * size},
-                "p: page (erase, and plot again)   h: hard copy", size, theme::kText,
-                Align::kCentre);
+    lay_caption(picture, studio().sans, "p: page (erase, and plot again)   h: hard copy");
   }
   /// The paper, in a corner.
   void lay_copy(Image<Srgb8>& picture) const {

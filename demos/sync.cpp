@@ -10,7 +10,7 @@
 #include "demos/followed_knobs.h"
 #include "demos/monitor.h"
 #include "demos/tube_pictures.h"
-#include "demos/ui/canvas.h"
+#include "demos/ui/caption.h"
 #include "demos/ui/theme.h"
 #include "display/tube/preset.h"
 
@@ -53,9 +53,8 @@ class Sync : public ClonableDemo<Sync> {
 
  private:
   Rect room() const {
-    const float caption = 2 * theme::kBody * theme::scale_for(height());
     const Rect all = whole_picture(*this);
-    return {0, 0, all.width, std::max(1.0f, all.height - caption)};
+    return {0, 0, all.width, std::max(1.0f, all.height - caption_room(height()))};
   }
   TubeSettings preset() const {
     return find_tube_preset(kSets[static_cast<std::size_t>(knob(kSet).index())]).settings;
@@ -106,11 +105,7 @@ class Sync : public ClonableDemo<Sync> {
   void draw(const Step& step, Image<Srgb8>& picture) override {
     std::fill(picture.pixels().begin(), picture.pixels().end(), theme::kBackground);
     monitor_.expose(step, studio().workers, picture, knob(kIris).value);
-    Canvas canvas(picture);
-    const float size = theme::kBody * theme::scale_for(height());
-    canvas.text(studio().sans,
-                {static_cast<float>(width()) / 2, static_cast<float>(height()) - 0.7f * size},
-                caption(), size, theme::kText, Align::kCentre);
+    lay_caption(picture, studio().sans, caption());
   }
 
   Monitor monitor_;

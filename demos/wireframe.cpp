@@ -11,8 +11,7 @@
 #include "demos/demo.h"
 #include "demos/model_view.h"
 #include "demos/orbit.h"
-#include "demos/ui/canvas.h"
-#include "demos/ui/theme.h"
+#include "demos/ui/caption.h"
 #include "demos/vector_monitor.h"
 #include "demos/wire_model.h"
 #include "display/vector/stroke_list.h"
@@ -111,13 +110,9 @@ class Wireframe : public ClonableDemo<Wireframe> {
       rate_hz_ = static_cast<double>(begun_) / passed_.count();
       passed_ = Seconds(0), begun_ = 0;
     }
-    Canvas canvas(picture);
-    const float size = theme::kBody * theme::scale_for(height());
-    canvas.text(studio().sans,
-                {static_cast<float>(width()) / 2, static_cast<float>(height()) - 0.7f * size},
+    lay_caption(picture, studio().sans,
                 fmt::format("{} strokes of {} edges, a list {:.0f} times a second", strokes_,
-                            figure_->wire.edges.size(), rate_hz_),
-                size, theme::kText, Align::kCentre);
+                            figure_->wire.edges.size(), rate_hz_));
   }
 
   VectorMonitor monitor_;

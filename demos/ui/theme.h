@@ -22,6 +22,8 @@ inline constexpr Srgb8 kBlue{110, 150, 255, 255};
 inline constexpr float kReferenceHeight = 960;
 inline constexpr float kTitle = 24, kBody = 15.5f, kSmall = 13;
 inline constexpr float kMargin = 16, kGap = 8, kRadius = 9;
+/// At a window's foot stands its own line, no higher than this.
+inline constexpr float kWindowLine = 42;
 
 /// Factor on every size for a picture of that height. A screen of 720 lines is read from as near as
 /// one of 960: there type is hardly smaller.

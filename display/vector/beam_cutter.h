@@ -25,6 +25,12 @@ class BeamCutter {
   void cut(const BeamSpan& span, double from, double to, std::vector<BeamPiece>& pieces) const;
 
  private:
+  /// While the current changes by more than this share of the full one, a piece lasts for so many
+  /// time constants of it.
+  static constexpr double kCoarseChange = 0.05, kCoarseTaus = 3;
+  /// Fainter beams grow no sharper.
+  static constexpr float kLeastGrown = 0.02f;
+
   /// The beam at a time.
   struct State {
     double t;
@@ -50,7 +56,7 @@ class BeamCutter {
   /// A rule for a current that rises from none, or fades to none, of 1.
   struct Pulse {
     Rule rule;
-    float mean = 0, last = 0;  // the current, of the whole, and in the end
+    float mean = 0;  // the current, of a rise's whole
     std::array<float, BeamSpots::kMost> grown{};
   };
 

@@ -5,7 +5,7 @@
 namespace kinescope {
 
 ConicKind Conic::kind() const {
-  if (a == 0 && b == 0 && c == 0) return ConicKind::kLine;
+  if (a == 0 && b == 0 && c == 0) return d == 0 && e == 0 ? ConicKind::kNone : ConicKind::kLine;
   const double sign = discriminant();
   // A parabola that was turned has rounded coefficients.
   if (std::abs(sign) <= 1e-12 * (b * b + std::abs(4 * a * c))) return ConicKind::kParabola;

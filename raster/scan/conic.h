@@ -6,8 +6,8 @@
 namespace kinescope {
 
 /// By the sign of b^2 - 4ac; a degenerate conic (a pair of lines, a point, nothing) has the kind of
-/// those that it is the limit of.
-enum class ConicKind { kEllipse, kCircle, kParabola, kHyperbola, kLine };
+/// those that it is the limit of. kNone has no terms in x and y.
+enum class ConicKind { kNone, kEllipse, kCircle, kParabola, kHyperbola, kLine };
 
 struct Conic {
   double a = 0, b = 0, c = 0, d = 0, e = 0, f = 0;

@@ -269,6 +269,7 @@ TEST(Conic, GradientAndKinds) {
   EXPECT_EQ(kind({1, 2, 1, 3, 0, -4}), ConicKind::kParabola);
   EXPECT_EQ(kind({0, 1, 0, 0, 0, -4}), ConicKind::kHyperbola);
   EXPECT_EQ(kind({0, 0, 0, 1, 0, -4}), ConicKind::kLine);
+  EXPECT_EQ(kind({0, 0, 0, 0, 0, -4}), ConicKind::kNone);
 }
 
 }  // namespace
