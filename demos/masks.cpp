@@ -95,7 +95,7 @@ class Masks : public ClonableDemo<Masks> {
     const auto wide = static_cast<float>(width() / across);
     const float scale = theme::scale_for(height()), label = 2 * theme::kBody * scale;
     const int all = height() - static_cast<int>(theme::kWindowLine * scale);
-    const auto high = static_cast<float>(std::max(1, all / across));
+    const auto high = static_cast<float>(std::max(0, all / across));
     for (int i = 0; i < across * across; ++i) {
       const NamedMask& mask = kMasks[static_cast<std::size_t>(which == 0 ? i : which - 1)];
       const float x = static_cast<float>(i % across) * wide,
