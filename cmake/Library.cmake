@@ -39,6 +39,14 @@ function(kinescope_sanitize_unoptimized)
   endif()
 endfunction()
 
+# kinescope_sanitize_optimized(FILES...): what touches every pixel, in whichever target.
+function(kinescope_sanitize_optimized)
+  if(KINESCOPE_SANITIZE)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -O2)
+    set_property(SOURCE ${ARGN} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+endfunction()
+
 # What tests are compiled with: most of what they do, they do once.
 function(kinescope_test_options name)
   kinescope_sanitize_unoptimized(${name})

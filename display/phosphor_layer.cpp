@@ -40,7 +40,7 @@ PhosphorLayer::PhosphorLayer(const Phosphor& phosphor, double clock_hz, double f
       std::count_if(terms_.begin(), terms_.end(), [](const Term& t) { return t.plane >= 0; }));
   for (std::size_t basis = 0; basis < kBases; ++basis) {
     doses_[basis].assign(cells, 0.0f);
-    states_[basis].assign(static_cast<std::size_t>(planes), AlignedVector<float>(cells, 0.0f));
+    for (int i = 0; i < planes; ++i) states_[basis].emplace_back(cells, 0.0f);
   }
 }
 

@@ -54,4 +54,7 @@ class Image {
   std::vector<Pixel> pixels_;
 };
 
+// Filled and copied by optimized code in every build.
+extern template class Image<Srgb8>;
+
 }  // namespace kinescope

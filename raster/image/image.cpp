@@ -1,0 +1,3 @@
+#include "raster/image/image.h"
+
+template class kinescope::Image<kinescope::Srgb8>;
