@@ -1,11 +1,16 @@
 #include "raster/kernels/bin_triangles.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/kernels/bin_triangles.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#include "raster/kernels/lanes-inl.h"
+#include "raster/kernels/pack-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
@@ -18,22 +23,15 @@ using U = hn::RebindToUnsigned<F>;
 /// Tiles, half open.
 struct TileRange {
   int column0, row0, column1, row1;
-  bool is_one() const { return column1 - column0 == 1 && row1 - row0 == 1; }
 };
-
-/// @param x_min,y_min,x_max,y_max  raw Fixed24_8
-HWY_INLINE TileRange tiles_touched(int x_min, int y_min, int x_max, int y_max,
-                                   const TileGrid& grid) {
-  return {grid.column_of(std::max(x_min >> 8, 0)), grid.row_of(std::max(y_min >> 8, 0)),
-          grid.column_of(std::min(x_max >> 8, grid.width - 1)) + 1,
-          grid.row_of(std::min(y_max >> 8, grid.height - 1)) + 1};
-}
 
 HWY_INLINE TileRange tiles_touched(const CulledTriangles::Snapped& t, std::size_t i,
                                    const TileGrid& grid) {
   const auto [x_min, x_max] = std::minmax({t.x[0][i], t.x[1][i], t.x[2][i]});
   const auto [y_min, y_max] = std::minmax({t.y[0][i], t.y[1][i], t.y[2][i]});
-  return tiles_touched(x_min, y_min, x_max, y_max, grid);
+  return {grid.column_of(std::max(x_min >> 8, 0)), grid.row_of(std::max(y_min >> 8, 0)),
+          grid.column_of(std::min(x_max >> 8, grid.width - 1)) + 1,
+          grid.row_of(std::min(y_max >> 8, grid.height - 1)) + 1};
 }
 
 HWY_INLINE void append_one(const CulledTriangles::Snapped& from, std::size_t i,
@@ -45,22 +43,6 @@ HWY_INLINE void append_one(const CulledTriangles::Snapped& from, std::size_t i,
     chunk.z[v][n] = from.z[v][i];
   }
   chunk.id[n] = first_id + from.triangle[i];
-}
-
-HWY_INLINE void append_vector(const CulledTriangles::Snapped& from, std::size_t i,
-                              std::uint32_t first_id, TriangleChunk& chunk) {
-  const F f;
-  const hn::RebindToSigned<F> s;
-  const U u;
-  const auto n = static_cast<std::size_t>(chunk.size);
-  for (std::size_t v = 0; v < 3; ++v) {
-    hn::StoreU(hn::LoadU(s, from.x[v].data() + i), s, chunk.x[v].data() + n);
-    hn::StoreU(hn::LoadU(s, from.y[v].data() + i), s, chunk.y[v].data() + n);
-    hn::StoreU(hn::LoadU(f, from.z[v].data() + i), f, chunk.z[v].data() + n);
-  }
-  const auto id = hn::Add(hn::LoadU(u, from.triangle.data() + i), hn::Set(u, first_id));
-  hn::StoreU(id, u, chunk.id.data() + n);
-  chunk.size += static_cast<int>(hn::Lanes(f));
 }
 
 /// Appends a triangle to each of the tiles.
@@ -76,39 +58,85 @@ HWY_INLINE void append_to_all(const CulledTriangles::Snapped& from, std::size_t 
   }
 }
 
-/// The tiles of a whole vector of triangles.
-HWY_INLINE TileRange tiles_of_vector(const CulledTriangles::Snapped& t, std::size_t k,
-                                     const TileGrid& grid) {
+/// A vector of triangles of one tile.
+HWY_INLINE void append_packed(const CulledTriangles::Snapped& from, std::size_t k,
+                              const Packer<I>& pack, std::uint32_t first_id, TriangleChunk& chunk) {
+  const F f;
   const I i;
-  const auto of = [&](const auto& corners, bool most) HWY_ATTR {
-    const auto a = hn::LoadU(i, corners[0].data() + k), b = hn::LoadU(i, corners[1].data() + k);
-    const auto c = hn::LoadU(i, corners[2].data() + k);
-    return most ? hn::GetLane(hn::MaxOfLanes(i, hn::Max(hn::Max(a, b), c)))
-                : hn::GetLane(hn::MinOfLanes(i, hn::Min(hn::Min(a, b), c)));
+  const U u;
+  const auto n = static_cast<std::size_t>(chunk.size);
+  for (std::size_t v = 0; v < 3; ++v) {
+    pack.store(hn::LoadU(i, from.x[v].data() + k), chunk.x[v].data() + n);
+    pack.store(hn::LoadU(i, from.y[v].data() + k), chunk.y[v].data() + n);
+    pack.store(hn::LoadU(f, from.z[v].data() + k), chunk.z[v].data() + n);
+  }
+  const auto id = hn::Add(hn::LoadU(u, from.triangle.data() + k), hn::Set(u, first_id));
+  pack.store(id, chunk.id.data() + n);
+  chunk.size += static_cast<int>(pack.count());
+}
+
+/// Numbers of tiles along one axis: pixels over a side, which is a multiple of 8 and at most 64.
+/// Exact below 2^16 pixels.
+struct TilesAlong {
+  int end_px;
+  std::int32_t per_eight;
+  TilesAlong(int end, int side) : end_px(end), per_eight((65536 + side / 8 - 1) / (side / 8)) {}
+
+  HWY_INLINE hn::Vec<I> of(hn::Vec<I> raw) const {
+    const I i;
+    const auto px = hn::Min(hn::Max(hn::ShiftRight<8>(raw), hn::Zero(i)), hn::Set(i, end_px - 1));
+    return hn::ShiftRight<16>(hn::Mul(hn::ShiftRight<3>(px), hn::Set(i, per_eight)));
+  }
+};
+
+/// The tiles in which the boxes of several triangles begin and end.
+struct TileEnds {
+  hn::Vec<I> first, last;
+};
+
+HWY_INLINE TileEnds tile_ends(const CulledTriangles::Snapped& t, std::size_t k,
+                              const TilesAlong& across, const TilesAlong& down, int columns) {
+  const I i;
+  const auto corner = [&](const auto& corners, std::size_t v)
+                          HWY_ATTR { return hn::LoadU(i, corners[v].data() + k); };
+  const auto least = [&](const auto& c) HWY_ATTR {
+    return hn::Min(hn::Min(corner(c, 0), corner(c, 1)), corner(c, 2));
   };
-  return tiles_touched(of(t.x, false), of(t.y, false), of(t.x, true), of(t.y, true), grid);
+  const auto most = [&](const auto& c) HWY_ATTR {
+    return hn::Max(hn::Max(corner(c, 0), corner(c, 1)), corner(c, 2));
+  };
+  const auto row = hn::Set(i, columns);
+  return {hn::Add(hn::Mul(down.of(least(t.y)), row), across.of(least(t.x))),
+          hn::Add(hn::Mul(down.of(most(t.y)), row), across.of(most(t.x)))};
 }
 
 void BinSmallTriangles(const CulledTriangles::Snapped& t, std::uint32_t first_id,
                        const TileGrid& grid, Bins& bins) {
-  const std::size_t lanes = hn::Lanes(F()), size = static_cast<std::size_t>(t.size);
-  const auto bin_one = [&](std::size_t i) {
-    const TileRange tiles = tiles_touched(t, i, grid);
-    append_to_all(t, i, first_id, tiles, grid, tiles.is_one() ? bins.small : bins.small_across,
-                  bins.triangle_pool);
-  };
-  std::size_t k = 0;
-  for (; k + lanes <= size; k += lanes) {
-    const TileRange tiles = tiles_of_vector(t, k, grid);
-    if (tiles.is_one()) {
-      const auto tile = static_cast<std::size_t>(tiles.row0 * grid.columns + tiles.column0);
-      append_vector(t, k, first_id,
-                    bins.small[tile].tail(bins.triangle_pool, static_cast<int>(lanes)));
-    } else {
-      for (std::size_t i = k; i < k + lanes; ++i) bin_one(i);
+  const I i;
+  const std::size_t lanes = hn::Lanes(i), size = static_cast<std::size_t>(t.size);
+  const TilesAlong across(grid.width, grid.tile_width), down(grid.height, grid.tile_height);
+  alignas(64) std::array<std::int32_t, 16> tile;
+  for (std::size_t k = 0; k < size; k += lanes) {
+    const TileEnds ends = tile_ends(t, k, across, down, grid.columns);
+    const auto within = first_lanes(i, size - k);
+    const auto is_one = hn::And(within, hn::Eq(ends.first, ends.last));
+    hn::Store(ends.first, i, tile.data());
+    // Neighbours share tiles: most often one round, or two.
+    unsigned left = Packer<I>(is_one).bits();
+    const unsigned in_several = Packer<I>(within).bits() & ~left;
+    while (left != 0) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      const Packer<I> pack(hn::And(is_one, hn::Eq(ends.first, hn::Set(i, tile[lane]))));
+      auto& list = bins.small[static_cast<std::size_t>(tile[lane])];
+      append_packed(t, k, pack, first_id, list.tail(bins.triangle_pool, static_cast<int>(lanes)));
+      left &= ~unsigned{pack.bits()};
+    }
+    for (left = in_several; left != 0; left &= left - 1) {
+      const std::size_t at = k + static_cast<std::size_t>(std::countr_zero(left));
+      append_to_all(t, at, first_id, tiles_touched(t, at, grid), grid, bins.small_across,
+                    bins.triangle_pool);
     }
   }
-  for (; k < size; ++k) bin_one(k);
 }
 
 void BinMediumTriangles(const CulledTriangles::Snapped& t, std::uint32_t first_id,
