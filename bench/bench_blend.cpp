@@ -33,19 +33,16 @@ class Rectangles {
     return lo + (hi - lo) * static_cast<float>(random_() >> 8) * 0x1p-24f;
   }
   void add(float x0, float y0, float x1, float y1, float z) {
-    const auto first = static_cast<std::uint32_t>(x_.size());
+    const auto first = static_cast<std::uint32_t>(vertices_.size());
     for (const auto& [x, y] : {std::pair{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}}) {
-      x_.push_back(x);
-      y_.push_back(y);
-      z_.push_back(z);
-      inv_w_.push_back(1);
+      vertices_.push_back({x, y, z, 1});
       for (int c = 0; c < 4; ++c) rows_.push_back(uniform(0.1f, 0.5f));
     }
     for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) indices_.push_back(first + i);
   }
   DrawCall call(BlendMode mode, BlendOrder order) const {
     DrawCall call;
-    call.vertices = {x_, y_, z_, inv_w_};
+    call.vertices = vertices_;
     call.indices = indices_;
     call.attributes = rows_;
     call.attribute_count = call.attribute_stride = 4;
@@ -58,7 +55,8 @@ class Rectangles {
 
  private:
   std::mt19937 random_;
-  std::vector<float> x_, y_, z_, inv_w_, rows_;
+  std::vector<DeviceVertex> vertices_;
+  std::vector<float> rows_;
   std::vector<std::uint32_t> indices_;
 };
 

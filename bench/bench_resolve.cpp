@@ -26,11 +26,10 @@ void resolve(benchmark::State& state, const DrawCall& geometry, ColourFormat for
 
 /// One triangle fills the picture: the samples of every pixel agree.
 void whole_pixels(benchmark::State& state, ColourFormat format) {
-  const float x[] = {-10, -10, 5000}, y[] = {-10, 5000, -10}, z[] = {0.5f, 0.5f, 0.5f};
-  const float w[] = {1, 1, 1};
+  const DeviceVertex vertices[] = {{-10, -10, 0.5f, 1}, {-10, 5000, 0.5f, 1}, {5000, -10, 0.5f, 1}};
   const std::uint32_t indices[] = {0, 1, 2};
   DrawCall call;
-  call.vertices = {x, y, z, w};
+  call.vertices = vertices;
   call.indices = indices;
   resolve(state, call, format);
 }

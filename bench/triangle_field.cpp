@@ -8,11 +8,8 @@ TriangleField::TriangleField(int count, float leg_px, int width, int height) {
   std::mt19937 random(1);
   const auto uniform = [&random] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
   const auto add = [this](float x, float y, float z) {
-    indices_.push_back(static_cast<std::uint32_t>(x_px_.size()));
-    x_px_.push_back(x);
-    y_px_.push_back(y);
-    z_.push_back(z);
-    inv_w_.push_back(1.0f);
+    indices_.push_back(static_cast<std::uint32_t>(vertices_.size()));
+    vertices_.push_back({x, y, z, 1.0f});
   };
   for (int i = 0; i < count; ++i) {
     const float x = uniform() * (static_cast<float>(width) - leg_px);
@@ -33,7 +30,7 @@ TriangleField::TriangleField(int count, float leg_px, int width, int height) {
 
 DrawCall TriangleField::call() const {
   DrawCall call;
-  call.vertices = {x_px_, y_px_, z_, inv_w_};
+  call.vertices = vertices_;
   call.indices = indices_;
   return call;
 }

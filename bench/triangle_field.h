@@ -19,7 +19,7 @@ class TriangleField {
   int count() const { return static_cast<int>(indices_.size() / 3); }
 
  private:
-  std::vector<float> x_px_, y_px_, z_, inv_w_;
+  std::vector<DeviceVertex> vertices_;
   std::vector<std::uint32_t> indices_;
 };
 

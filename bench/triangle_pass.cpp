@@ -79,12 +79,12 @@ TrianglePass::TrianglePass(const Workload& workload, const Camera& camera, int w
   }
   s.device.resize(s.world.count + Positions::kPadding);
   const Viewport viewport{0, 0, static_cast<float>(width), static_cast<float>(height)};
-  constexpr float kGuardBand = DeviceVertices::kGuardBand;
+  constexpr float kGuardBand = DeviceVertex::kGuardBand;
   const Projector projector = make_projector(camera.clip_from_world(), viewport, kGuardBand);
   project(projector, s.world, 0, s.world.count, s.device);
   std::vector<float> rows(s.world.count);
   s.cut.cut(s.workers, projector, kGuardBand, s.world, mesh.indices, s.device, rows, 1, 0);
-  s.call.vertices = {s.device.x_px, s.device.y_px, s.device.z, s.device.inv_w};
+  s.call.vertices = s.device.vertices;
   s.call.indices = s.cut.indices();
   s.call.source_triangle = s.cut.source_triangle();
 }

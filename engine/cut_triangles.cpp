@@ -22,14 +22,8 @@ void copy_part(const CutPart& part, Offset offset, std::size_t old_vertices, std
   std::copy(part.source_triangle.begin(), part.source_triangle.end(),
             source_triangle + offset.triangle);
   std::copy(part.rows.begin(), part.rows.end(), new_rows + offset.vertex * row_stride);
-  std::size_t at = old_vertices + offset.vertex;
-  for (const DeviceVertex& v : part.vertices) {
-    device.x_px[at] = v.x_px;
-    device.y_px[at] = v.y_px;
-    device.z[at] = v.z;
-    device.inv_w[at] = v.inv_w;
-    ++at;
-  }
+  std::copy(part.vertices.begin(), part.vertices.end(),
+            device.vertices.data() + old_vertices + offset.vertex);
 }
 
 }  // namespace
@@ -70,7 +64,7 @@ void CutTriangles::join(Workers& workers, std::size_t old_vertices, DevicePositi
   source_triangle_.resize(total.triangle);
   const auto stride = static_cast<std::size_t>(row_stride);
   rows.resize((old_vertices + total.vertex) * stride);
-  device.resize(std::max(device.x_px.size(), old_vertices + total.vertex));
+  device.resize(std::max(device.vertices.size(), old_vertices + total.vertex));
   workers.run(static_cast<int>(parts_.size()), [&](int task, int) {
     const auto p = static_cast<std::size_t>(task);
     copy_part(parts_[p], offsets[p], old_vertices, indices_.data(), source_triangle_.data(), device,

@@ -36,12 +36,10 @@ CullMode cull_mode(const FrameMesh& mesh) {
   return mesh.world->transform.mirrors ? CullMode::kFront : CullMode::kBack;
 }
 
-DeviceVertices vertices_of(const FrameMesh& mesh) {
+std::span<const DeviceVertex> vertices_of(const FrameMesh& mesh) {
   const std::size_t count =
       mesh.world->vertices() + (mesh.must_cut() ? mesh.cut.new_vertices() : 0);
-  const DevicePositions& d = mesh.device;
-  return {std::span(d.x_px).first(count), std::span(d.y_px).first(count),
-          std::span(d.z).first(count), std::span(d.inv_w).first(count)};
+  return std::span(mesh.device.vertices).first(count);
 }
 
 /// The rows that a shading model's shader reads, and the cut appends to.
@@ -128,7 +126,7 @@ void Renderer::State::cut(const Projector& projector, ShadingModel shading, Rend
   for (FrameMesh& mesh : meshes) {
     if (!mesh.seen || !mesh.must_cut()) continue;
     const Rows rows = rows_of(mesh, shading);
-    mesh.cut.cut(workers, projector, DeviceVertices::kGuardBand, mesh.world->positions,
+    mesh.cut.cut(workers, projector, DeviceVertex::kGuardBand, mesh.world->positions,
                  mesh.world->mesh->indices, mesh.device, rows.values, rows.stride, rows.count);
     stats.clipped += mesh.cut.cut_count();
   }
@@ -185,7 +183,7 @@ RenderStats Renderer::render(const Scene& scene, const Camera& camera,
   const Viewport viewport{0.0f, 0.0f, static_cast<float>(target.width),
                           static_cast<float>(target.height)};
   const Projector projector =
-      make_projector(camera.clip_from_world(), viewport, DeviceVertices::kGuardBand);
+      make_projector(camera.clip_from_world(), viewport, DeviceVertex::kGuardBand);
   stats.vertices = project_meshes(s.workers, projector, s.meshes);
   s.calls.clear();
   if (settings.wireframe || settings.points) {

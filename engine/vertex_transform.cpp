@@ -100,11 +100,10 @@ void project_range(const Projector& p, const Positions& world, std::size_t begin
         hn::Add(hn::Mul(hn::Mul(x, inv_w), hn::Set(d, to_px.scale.x)), hn::Set(d, to_px.offset.x));
     const Vec y_px =
         hn::Add(hn::Mul(hn::Mul(y, inv_w), hn::Set(d, to_px.scale.y)), hn::Set(d, to_px.offset.y));
-    hn::StoreU(hn::IfThenElseZero(kept, x_px), d, &out.x_px[i]);
-    hn::StoreU(hn::IfThenElseZero(kept, y_px), d, &out.y_px[i]);
     // z <= w, yet z times the rounded reciprocal may exceed 1 by a bit.
-    hn::StoreU(hn::IfThenElseZero(kept, hn::Min(hn::Mul(z, inv_w), one)), d, &out.z[i]);
-    hn::StoreU(inv_w, d, &out.inv_w[i]);
+    const Vec depth = hn::Min(hn::Mul(z, inv_w), one);
+    hn::StoreInterleaved4(hn::IfThenElseZero(kept, x_px), hn::IfThenElseZero(kept, y_px),
+                          hn::IfThenElseZero(kept, depth), inv_w, d, &out.vertices[i].x_px);
     hn::StoreU(hn::DemoteTo(d8, code), d8, &out.outcodes[i]);
   }
 }
@@ -157,7 +156,7 @@ void Positions::resize(std::size_t n) {
 }
 
 void DevicePositions::resize(std::size_t n) {
-  for (std::vector<float>* array : {&x_px, &y_px, &z, &inv_w}) array->resize(n);
+  vertices.resize(n);
   outcodes.resize(n);
 }
 
@@ -179,7 +178,7 @@ Projector make_projector(const glm::mat4& clip_from_world, const Viewport& viewp
 OutcodeSummary project(const Projector& projector, const Positions& world, std::size_t begin,
                        std::size_t end, DevicePositions& out) {
   assert(begin % Positions::kPadding == 0 && end <= world.count);
-  assert(out.x_px.size() >= end + Positions::kPadding);
+  assert(out.vertices.size() >= end + Positions::kPadding);
   HWY_DYNAMIC_DISPATCH(project_range)(projector, world, begin, end, out);
   OutcodeSummary summary;
   for (std::size_t i = begin; i < end; ++i) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/camera.h"
+#include "raster/device_vertex.h"
 
 namespace kinescope {
 
@@ -51,7 +52,7 @@ Projector make_projector(const glm::mat4& clip_from_world, const Viewport& viewp
 
 /// Projected vertices, in the layout that the rasterizer takes, with their outcodes.
 struct DevicePositions {
-  std::vector<float> x_px, y_px, z, inv_w;
+  std::vector<DeviceVertex> vertices;
   std::vector<std::uint8_t> outcodes;
   void resize(std::size_t n);
 };

@@ -9,7 +9,7 @@ namespace kinescope {
 namespace {
 
 constexpr std::size_t kTaskQuads = 2048;
-constexpr float kLimitPx = DeviceVertices::kGuardBand;
+constexpr float kLimitPx = DeviceVertex::kGuardBand;
 constexpr double kPull = 0.003;  // at 40 degrees and 640 pixels: half a pixel on a steep slope
 
 glm::dvec4 clip_position(const Projector& p, const Positions& world, std::uint32_t i) {
@@ -19,10 +19,6 @@ glm::dvec4 clip_position(const Projector& p, const Positions& world, std::uint32
 DeviceVertex pulled(DeviceVertex v, DepthPull pull) {
   v.z = std::clamp(v.z * pull.gain - pull.offset, 0.0f, 1.0f);
   return v;
-}
-
-DeviceVertex pulled(const DevicePositions& d, std::uint32_t i, DepthPull pull) {
-  return pulled({d.x_px[i], d.y_px[i], d.z[i], d.inv_w[i]}, pull);
 }
 
 /// Shares quads out; each has a slot of its own, so their order is that of the edges.
@@ -46,7 +42,7 @@ DepthPull depth_pull(const Camera& camera) {
 }
 
 void WireQuads::resize(std::size_t quads) {
-  for (std::vector<float>* array : {&x_px_, &y_px_, &z_, &inv_w_}) array->resize(quads * 4);
+  vertices_.resize(quads * 4);
   const std::size_t known = indices_.size() / 6;
   indices_.resize(quads * 6);
   for (std::size_t quad = known; quad < quads; ++quad) {
@@ -57,13 +53,7 @@ void WireQuads::resize(std::size_t quads) {
 }
 
 void WireQuads::put(std::size_t quad, const DeviceQuad& corners) {
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::size_t at = quad * 4 + i;
-    x_px_[at] = corners[i].x_px;
-    y_px_[at] = corners[i].y_px;
-    z_[at] = corners[i].z;
-    inv_w_[at] = corners[i].inv_w;
-  }
+  std::copy(corners.begin(), corners.end(), &vertices_[quad * 4]);
 }
 
 void WireQuads::draw_edges(Workers& workers, const Projector& projector, const FrameMesh& mesh,
@@ -77,7 +67,8 @@ void WireQuads::draw_edges(Workers& workers, const Projector& projector, const F
     const int any = code_a | code_b;
     if ((code_a & code_b & outcode::kVolume) != 0 || (any & outcode::kNotFinite) != 0) return {};
     if ((any & outcode::kMustCut) == 0) {
-      return thick_line(pulled(mesh.device, a, pull), pulled(mesh.device, b, pull), width_px);
+      return thick_line(pulled(mesh.device.vertices[a], pull),
+                        pulled(mesh.device.vertices[b], pull), width_px);
     }
     glm::dvec4 from = clip_position(projector, world, a), to = clip_position(projector, world, b);
     if (!clip_line(planes, from, to)) return {};
@@ -91,15 +82,14 @@ void WireQuads::draw_points(Workers& workers, const FrameMesh& mesh, float size_
                             DepthPull pull) {
   resize(mesh.world->vertices());
   for_each_quad(workers, mesh.world->vertices(), [&](std::size_t quad) {
-    const auto vertex = static_cast<std::uint32_t>(quad);
     const bool seen = mesh.device.outcodes[quad] == 0;
-    put(quad, seen ? thick_point(pulled(mesh.device, vertex, pull), size_px) : DeviceQuad{});
+    put(quad, seen ? thick_point(pulled(mesh.device.vertices[quad], pull), size_px) : DeviceQuad{});
   });
 }
 
 DrawCall WireQuads::draw_call(const LinearRgba& colour) const {
   DrawCall call;
-  call.vertices = {x_px_, y_px_, z_, inv_w_};
+  call.vertices = vertices_;
   call.indices = indices_;
   call.cull = CullMode::kNone;
   call.shade = shade_constant;

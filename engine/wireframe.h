@@ -37,7 +37,7 @@ class WireQuads {
   void resize(std::size_t quads);
   void put(std::size_t quad, const DeviceQuad& corners);
 
-  std::vector<float> x_px_, y_px_, z_, inv_w_;
+  std::vector<DeviceVertex> vertices_;
   std::vector<std::uint32_t> indices_;
 };
 

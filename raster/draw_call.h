@@ -7,21 +7,10 @@
 
 #include "raster/batch.h"
 #include "raster/blending.h"
+#include "raster/device_vertex.h"
 #include "raster/pixel_rect.h"
 
 namespace kinescope {
-
-/// Projected vertices, structure of arrays of equal length. Device space: pixels, y down, the
-/// centre of the top left pixel at (0.5, 0.5). Coordinates lie within the guard band.
-struct DeviceVertices {
-  /// The rasterizer is exact for coordinates in [-kGuardBand, kGuardBand] pixels.
-  static constexpr float kGuardBand = 32768.0f;
-
-  std::span<const float> x_px;
-  std::span<const float> y_px;
-  std::span<const float> z;      ///< depth, 0 near to 1 far, linear in device space
-  std::span<const float> inv_w;  ///< 1 / w of clip space, positive
-};
 
 /// Which triangles are thrown away. Front faces are counter-clockwise as seen on the screen.
 enum class CullMode { kNone, kBack, kFront };
@@ -33,7 +22,7 @@ enum class CullMode { kNone, kBack, kFront };
 /// plain nor kByDepth, all calls are drawn one after another, as a GPU draws them; the picture is
 /// the same, only dearer.
 struct DrawCall {
-  DeviceVertices vertices;
+  std::span<const DeviceVertex> vertices;  ///< coordinates within the guard band
   std::span<const std::uint32_t> indices;  ///< three a triangle; each below the vertex count
   /// For triangles made by clipping: the triangle in the mesh that each came from. Empty: identity.
   std::span<const std::uint32_t> source_triangle;

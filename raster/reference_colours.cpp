@@ -15,9 +15,9 @@ std::array<double, 2> weights_at(const DrawCall& call, std::size_t triangle, dou
   std::array<double, 3> vx{}, vy{}, inv_w{}, area{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t v = call.indices[3 * triangle + i];
-    vx[i] = Fixed24_8::from_float(call.vertices.x_px[v]).to_float();
-    vy[i] = Fixed24_8::from_float(call.vertices.y_px[v]).to_float();
-    inv_w[i] = call.vertices.inv_w[v];
+    vx[i] = Fixed24_8::from_float(call.vertices[v].x_px).to_float();
+    vy[i] = Fixed24_8::from_float(call.vertices[v].y_px).to_float();
+    inv_w[i] = call.vertices[v].inv_w;
   }
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {

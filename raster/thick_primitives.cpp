@@ -18,8 +18,8 @@ constexpr std::int32_t kRawPixel = Fixed24_8::kOne;
 
 bool is_drawable(const DeviceVertex& v) {
   // Written so that NaN fails.
-  return std::abs(v.x_px) <= DeviceVertices::kGuardBand &&
-         std::abs(v.y_px) <= DeviceVertices::kGuardBand;
+  return std::abs(v.x_px) <= DeviceVertex::kGuardBand &&
+         std::abs(v.y_px) <= DeviceVertex::kGuardBand;
 }
 
 RawPair snap(float x_px, float y_px) {
@@ -28,7 +28,7 @@ RawPair snap(float x_px, float y_px) {
 
 /// In pixels, and within the guard band.
 float to_px(std::int32_t raw) {
-  constexpr std::int32_t kLimit = static_cast<std::int32_t>(DeviceVertices::kGuardBand) * kRawPixel;
+  constexpr std::int32_t kLimit = static_cast<std::int32_t>(DeviceVertex::kGuardBand) * kRawPixel;
   return Fixed24_8::from_raw(std::clamp(raw, -kLimit, kLimit)).to_float();
 }
 
@@ -37,7 +37,7 @@ DeviceVertex corner(const DeviceVertex& end, RawPair at, int x, int y) {
 }
 
 float at_least_a_pixel(float width_px) {
-  return std::min(std::max(1.0f, width_px), DeviceVertices::kGuardBand);
+  return std::min(std::max(1.0f, width_px), DeviceVertex::kGuardBand);
 }
 
 /// Half of the way across a line that runs along `way`: `half_width_px` at right angles, lengthened
@@ -97,7 +97,8 @@ void ThickPrimitives::add_point(const DeviceVertex& centre, float size_px,
 }
 
 void ThickPrimitives::clear() {
-  for (std::vector<float>* v : {&x_px_, &y_px_, &z_, &inv_w_, &rows_}) v->clear();
+  vertices_.clear();
+  rows_.clear();
   indices_.clear();
   source_.clear();
 }
@@ -106,13 +107,10 @@ void ThickPrimitives::add(const DeviceQuad& quad, std::span<const float> row_a,
                           std::span<const float> row_b) {
   assert(row_a.size() == static_cast<std::size_t>(attribute_count_) &&
          row_b.size() == row_a.size());
-  const auto first = static_cast<std::uint32_t>(x_px_.size());
+  const auto first = static_cast<std::uint32_t>(vertices_.size());
   const auto number = static_cast<std::uint32_t>(source_.size() / 2);
   for (std::size_t i = 0; i < quad.size(); ++i) {
-    x_px_.push_back(quad[i].x_px);
-    y_px_.push_back(quad[i].y_px);
-    z_.push_back(quad[i].z);
-    inv_w_.push_back(quad[i].inv_w);
+    vertices_.push_back(quad[i]);
     const std::span<const float> row = i < 2 ? row_a : row_b;
     rows_.insert(rows_.end(), row.begin(), row.end());
   }
@@ -122,7 +120,7 @@ void ThickPrimitives::add(const DeviceQuad& quad, std::span<const float> row_a,
 
 DrawCall ThickPrimitives::draw_call(ShadeFunction shade, const void* constants) const {
   DrawCall call;
-  call.vertices = {x_px_, y_px_, z_, inv_w_};
+  call.vertices = vertices_;
   call.indices = indices_;
   call.source_triangle = source_;
   call.attributes = rows_;

@@ -11,11 +11,6 @@
 
 namespace kinescope {
 
-/// One vertex as DeviceVertices holds it.
-struct DeviceVertex {
-  float x_px = 0, y_px = 0, z = 0, inv_w = 1;
-};
-
 /// Corners in order around: two belong to the first end, then two to the second. Triangles
 /// (0, 1, 2) and (0, 2, 3).
 using DeviceQuad = std::array<DeviceVertex, 4>;
@@ -50,7 +45,8 @@ class ThickPrimitives {
   void add(const DeviceQuad& quad, std::span<const float> row_a, std::span<const float> row_b);
 
   int attribute_count_;
-  std::vector<float> x_px_, y_px_, z_, inv_w_, rows_;
+  std::vector<DeviceVertex> vertices_;
+  std::vector<float> rows_;
   std::vector<std::uint32_t> indices_, source_;
 };
 

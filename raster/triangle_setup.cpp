@@ -7,11 +7,11 @@
 namespace kinescope {
 namespace {
 
-bool is_drawable(float x_px, float y_px, float z) {
+bool is_drawable(const DeviceVertex& v) {
   // Written so that NaN fails.
-  return std::abs(x_px) <= DeviceVertices::kGuardBand &&
-         std::abs(y_px) <= DeviceVertices::kGuardBand &&
-         std::abs(z) <= std::numeric_limits<float>::max();
+  return std::abs(v.x_px) <= DeviceVertex::kGuardBand &&
+         std::abs(v.y_px) <= DeviceVertex::kGuardBand &&
+         std::abs(v.z) <= std::numeric_limits<float>::max();
 }
 
 std::int64_t double_area(const std::array<std::int32_t, 3>& x,
@@ -43,13 +43,12 @@ void set_depth_plane(const std::array<float, 3>& z, SnappedTriangle& t) {
 bool set_up_triangle(const DrawCall& call, std::size_t triangle, SnappedTriangle& out) {
   std::array<float, 3> z{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::uint32_t v = call.indices[3 * triangle + i];
-    const DeviceVertices& from = call.vertices;
-    if (!is_drawable(from.x_px[v], from.y_px[v], from.z[v])) return false;
-    out.x[i] = Fixed24_8::from_float(from.x_px[v]).raw();
-    out.y[i] = Fixed24_8::from_float(from.y_px[v]).raw();
+    const DeviceVertex& from = call.vertices[call.indices[3 * triangle + i]];
+    if (!is_drawable(from)) return false;
+    out.x[i] = Fixed24_8::from_float(from.x_px).raw();
+    out.y[i] = Fixed24_8::from_float(from.y_px).raw();
     // Adding zero turns -0 into 0, so that equal depths have equal bits.
-    z[i] = std::min(std::max(from.z[v], 0.0f), 1.0f) + 0.0f;
+    z[i] = std::min(std::max(from.z, 0.0f), 1.0f) + 0.0f;
   }
   out.double_area = double_area(out.x, out.y);
   const bool front = out.double_area < 0;  // counter-clockwise on the screen, y running down

@@ -10,12 +10,13 @@
 
 #include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/pack-inl.h"
+#include "raster/kernels/vertex_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::CappedTag<float, 16>;
+using F = hn::CappedTag<float, 8>;
 using I = hn::RebindToSigned<F>;
 using U = hn::RebindToUnsigned<F>;
 using VF = hn::Vec<F>;
@@ -33,15 +34,13 @@ struct Extent {
   VI first, end, raw;
 };
 
-HWY_INLINE Corner load_corner(const DeviceVertices& from, VU vertex, hn::Mask<F>& drawable) {
+/// @param index  of the vertex, three apart from triangle to triangle
+HWY_INLINE Corner load_corner(const DeviceVertex* vertices, const std::uint32_t* index,
+                              hn::Mask<F>& drawable) {
   const F f;
-  const I i;
-  const auto at = hn::BitCast(i, vertex);
-  const auto guard = hn::Set(f, DeviceVertices::kGuardBand);
+  const auto guard = hn::Set(f, DeviceVertex::kGuardBand);
   const auto largest = hn::Set(f, std::numeric_limits<float>::max());
-  const VF x = hn::GatherIndex(f, from.x_px.data(), at);
-  const VF y = hn::GatherIndex(f, from.y_px.data(), at);
-  const VF z = hn::GatherIndex(f, from.z.data(), at);
+  const auto [x, y, z, inv_w] = load_vertices(f, vertices, index, 3);
   // NaN fails each comparison.
   drawable = hn::And(drawable, hn::And(hn::Le(hn::Abs(x), guard), hn::Le(hn::Abs(y), guard)));
   drawable = hn::And(drawable, hn::Le(hn::Abs(z), largest));
@@ -81,15 +80,16 @@ HWY_INLINE void append_turned(const Corner& a, const Corner& b, const Corner& c,
   out.size += static_cast<int>(pack.count());
 }
 
-HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits, VU v0, VU v1, VU v2,
-                            std::uint32_t first, CulledTriangles& out) {
+/// @param index  three a triangle
+HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits,
+                            const std::uint32_t* index, std::uint32_t first, CulledTriangles& out) {
   const F f;
   const I i;
   const U u;
   auto drawable = first_lanes(f, hn::Lanes(f));
-  const Corner a = load_corner(call.vertices, v0, drawable);
-  const Corner b = load_corner(call.vertices, v1, drawable);
-  const Corner c = load_corner(call.vertices, v2, drawable);
+  const Corner a = load_corner(call.vertices.data(), index, drawable);
+  const Corner b = load_corner(call.vertices.data(), index + 1, drawable);
+  const Corner c = load_corner(call.vertices.data(), index + 2, drawable);
   const Extent ex =
       extent_of(a.x, b.x, c.x, limits.samples.least_x.raw(), limits.samples.most_x.raw());
   const Extent ey =
@@ -131,19 +131,16 @@ void CullTriangles(const DrawCall& call, const CullLimits& limits, std::uint32_t
   const U u;
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(u));
   const std::uint32_t* const index = call.indices.data() + std::size_t{3} * first;
-  VU v0, v1, v2;
   std::uint32_t i = 0;
   for (; i + lanes <= count; i += lanes) {
-    hn::LoadInterleaved3(u, index + std::size_t{3} * i, v0, v1, v2);
-    cull_vector(call, limits, v0, v1, v2, first + i, out);
+    cull_vector(call, limits, index + std::size_t{3} * i, first + i, out);
   }
   if (i == count) return;
   // The rest, filled up with triangles of no area.
-  HWY_ALIGN std::array<std::uint32_t, 48> rest;
+  std::array<std::uint32_t, 24> rest;
   rest.fill(index[0]);
   std::copy_n(index + std::size_t{3} * i, std::size_t{3} * (count - i), rest.begin());
-  hn::LoadInterleaved3(u, rest.data(), v0, v1, v2);
-  cull_vector(call, limits, v0, v1, v2, first + i, out);
+  cull_vector(call, limits, rest.data(), first + i, out);
 }
 
 }  // namespace kinescope::HWY_NAMESPACE

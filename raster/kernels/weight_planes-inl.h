@@ -18,6 +18,7 @@
 #include <span>
 
 #include "raster/kernels/batch_storage.h"
+#include "raster/kernels/vertex_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
@@ -54,21 +55,15 @@ HWY_INLINE hn::Vec<F> double_area(hn::Vec<I> x1, hn::Vec<I> y1, hn::Vec<I> x2, h
 /// Planes of runs [k, k + lanes).
 HWY_INLINE void set_planes(const DrawCall& call, std::size_t k, WeightPlanes& p) {
   const F f;
-  const I i;
-  const U u;
   using V = hn::Vec<F>;
-  const DeviceVertices& from = call.vertices;
   const V raw = hn::Set(f, 256.0f), to_px = hn::Set(f, 1.0f / 256.0f);
   hn::Vec<I> x[3], y[3];
   V inv_w[3];
   for (std::size_t v = 0; v < 3; ++v) {
-    const auto vertex = hn::BitCast(i, hn::LoadU(u, p.vertex[v].data() + k));
-    const auto snap = [&](std::span<const float> px) HWY_ATTR {
-      return hn::NearestInt(hn::Mul(hn::GatherIndex(f, px.data(), vertex), raw));
-    };
-    x[v] = snap(from.x_px);
-    y[v] = snap(from.y_px);
-    inv_w[v] = hn::GatherIndex(f, from.inv_w.data(), vertex);
+    const auto vertex = load_vertices(f, call.vertices.data(), p.vertex[v].data() + k, 1);
+    x[v] = hn::NearestInt(hn::Mul(vertex.a, raw));
+    y[v] = hn::NearestInt(hn::Mul(vertex.b, raw));
+    inv_w[v] = vertex.d;
   }
   const auto x1 = hn::Sub(x[1], x[0]), y1 = hn::Sub(y[1], y[0]);
   const auto x2 = hn::Sub(x[2], x[0]), y2 = hn::Sub(y[2], y[0]);
@@ -92,20 +87,6 @@ HWY_INLINE void set_planes(const DrawCall& call, std::size_t k, WeightPlanes& p)
   store(hn::Add(hn::Mul(b1y, rise1), hn::Mul(b2y, rise2)), p.dy_sum);
   store(hn::CopySign(hn::Set(f, 1.0f), hn::Neg(scale)), p.facing);
 }
-
-#if HWY_TARGET != HWY_SCALAR  // has no vectors of four
-/// Four floats of one row in the low half of a vector, of another in the high; of the first alone
-/// where vectors are of four.
-template <class D>
-HWY_INLINE hn::Vec<D> load_fours(D d, const float* low, const float* high) {
-  const hn::FixedTag<float, 4> four;
-  if constexpr (hn::MaxLanes(D()) == 8) {
-    return hn::Combine(d, hn::LoadU(four, high), hn::LoadU(four, low));
-  } else {
-    return hn::LoadU(d, low);
-  }
-}
-#endif
 
 /// The attributes that are interpolated, a bit each.
 HWY_INLINE std::uint32_t attributes_of(const DrawCall& call) {
@@ -139,25 +120,14 @@ HWY_INLINE void transpose_rows(const DrawCall& call, std::size_t v, std::size_t 
   }
   WeightPlanes::Attributes& to = p.attribute[v];
   std::size_t a = 0;
-#if HWY_TARGET != HWY_SCALAR  // has no vectors of four
-  const hn::RepartitionToWide<F> pairs;
-  const auto load = [&](std::size_t j)
-                        HWY_ATTR { return load_fours(f, row[j] + a, row[j + lanes - 4] + a); };
-  const auto store = [&](auto value, std::size_t at)
-                         HWY_ATTR { hn::StoreU(hn::BitCast(f, value), f, to[at].data() + k); };
   for (; a < count && a + 4 <= stride; a += 4) {
     if ((attributes_of(call) >> a & 15) == 0) continue;
-    const auto r0 = load(0), r1 = load(1), r2 = load(2), r3 = load(3);
-    const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(f, r0, r1));
-    const auto low23 = hn::BitCast(pairs, hn::InterleaveLower(f, r2, r3));
-    const auto high01 = hn::BitCast(pairs, hn::InterleaveUpper(f, r0, r1));
-    const auto high23 = hn::BitCast(pairs, hn::InterleaveUpper(f, r2, r3));
-    store(hn::InterleaveLower(pairs, low01, low23), a);
-    store(hn::InterleaveUpper(pairs, low01, low23), a + 1);
-    store(hn::InterleaveLower(pairs, high01, high23), a + 2);
-    store(hn::InterleaveUpper(pairs, high01, high23), a + 3);
+    const auto four = load_fours(f, [&](std::size_t lane) { return row[lane] + a; });
+    hn::StoreU(four.a, f, to[a].data() + k);
+    hn::StoreU(four.b, f, to[a + 1].data() + k);
+    hn::StoreU(four.c, f, to[a + 2].data() + k);
+    hn::StoreU(four.d, f, to[a + 3].data() + k);
   }
-#endif
   for (; a < count; ++a) {
     for (std::size_t lane = 0; lane < lanes; ++lane) to[a][k + lane] = row[lane][a];
   }
@@ -203,7 +173,6 @@ HWY_INLINE void find_vertices(const DrawCall& call, std::size_t first, std::size
                               WeightPlanes& p) {
   constexpr std::size_t kAhead = 16;
   const std::uint32_t attributes = attributes_of(call);
-  const DeviceVertices& from = call.vertices;
   const auto stride = static_cast<std::size_t>(call.attribute_stride);
   const auto corners = [&](std::size_t t) {
     return call.indices.data() + std::size_t{3} * p.triangle[t];
@@ -215,9 +184,7 @@ HWY_INLINE void find_vertices(const DrawCall& call, std::size_t first, std::size
     for (std::size_t v = 0; v < 3; ++v) {
       const std::size_t vertex = corner[v];
       p.vertex[v][t] = corner[v];
-      hwy::Prefetch(from.x_px.data() + vertex);
-      hwy::Prefetch(from.y_px.data() + vertex);
-      hwy::Prefetch(from.inv_w.data() + vertex);
+      hwy::Prefetch(call.vertices.data() + vertex);
       if (attributes != 0) hwy::Prefetch(call.attributes.data() + vertex * stride);
     }
   }

@@ -46,8 +46,7 @@ class Stage {
   DrawCall call() const {
     DrawCall call;
     const std::size_t n = vertices();
-    call.vertices = {std::span(device_.x_px).first(n), std::span(device_.y_px).first(n),
-                     std::span(device_.z).first(n), std::span(device_.inv_w).first(n)};
+    call.vertices = std::span(device_.vertices).first(n);
     call.indices = cut_.indices();
     call.source_triangle = cut_.source_triangle();
     call.attributes = rows_;
@@ -140,7 +139,7 @@ TEST(CutTriangles, ATightGuardBandHardlyChangesThePicture) {
     different += difference(a.pixels()[i], b.pixels()[i]) > 1e-3f;
   }
   EXPECT_LT(different, 30);  // of 19200: where a cut edge meets the screen at another 1/256 pixel
-  for (const float x : tight.device().x_px) EXPECT_LE(std::abs(x), 164.0f);
+  for (const DeviceVertex& v : tight.device().vertices) EXPECT_LE(std::abs(v.x_px), 164.0f);
 }
 
 TEST(CutTriangles, NewVerticesLieInTheGuardBandAndTheDepthRange) {
@@ -155,10 +154,11 @@ TEST(CutTriangles, NewVerticesLieInTheGuardBandAndTheDepthRange) {
   EXPECT_GT(stage.cut().cut_count(), 10u);
   for (const std::uint32_t i : stage.cut().indices()) {
     ASSERT_LT(i, stage.vertices());
-    EXPECT_LE(std::abs(stage.device().x_px[i]), 32768.0f);
-    EXPECT_LE(std::abs(stage.device().y_px[i]), 32768.0f);
-    EXPECT_TRUE(stage.device().z[i] >= 0.0f && stage.device().z[i] <= 1.0f);
-    EXPECT_TRUE(stage.device().inv_w[i] > 0.0f && std::isfinite(stage.device().inv_w[i]));
+    EXPECT_LE(std::abs(stage.device().vertices[i].x_px), 32768.0f);
+    EXPECT_LE(std::abs(stage.device().vertices[i].y_px), 32768.0f);
+    EXPECT_TRUE(stage.device().vertices[i].z >= 0.0f && stage.device().vertices[i].z <= 1.0f);
+    EXPECT_TRUE(stage.device().vertices[i].inv_w > 0.0f &&
+                std::isfinite(stage.device().vertices[i].inv_w));
   }
 }
 
@@ -171,7 +171,7 @@ TEST(CutTriangles, KeepsOrderAndSourcesForAnyThreads) {
   EXPECT_TRUE(std::ranges::equal(one.cut().indices(), eight.cut().indices()));
   EXPECT_TRUE(std::ranges::equal(one.cut().source_triangle(), eight.cut().source_triangle()));
   EXPECT_TRUE(std::ranges::is_sorted(one.cut().source_triangle()));
-  EXPECT_EQ(one.device().x_px, eight.device().x_px);
+  EXPECT_EQ(one.device().vertices, eight.device().vertices);
 }
 
 TEST(CutTriangles, DropsWhatIsOutsideOrNotFinite) {

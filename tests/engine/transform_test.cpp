@@ -71,16 +71,16 @@ TEST_P(VertexTransform, ProjectsAsTheScalarLawToTheLastBit) {
   for (std::size_t i = 0; i < world.count; ++i) {
     const glm::vec4 clip = clip_of(p, world, i);
     if ((device.outcodes[i] & outcode::kMustCut) != 0) {
-      EXPECT_EQ(device.x_px[i], 0.0f);
-      EXPECT_EQ(device.inv_w[i], 1.0f);
+      EXPECT_EQ(device.vertices[i].x_px, 0.0f);
+      EXPECT_EQ(device.vertices[i].inv_w, 1.0f);
       continue;
     }
     ++kept;
     const float inv_w = 1.0f / clip.w;
-    EXPECT_EQ(device.inv_w[i], inv_w);
-    EXPECT_EQ(device.x_px[i], clip.x * inv_w * 150.0f + 150.0f);
-    EXPECT_EQ(device.y_px[i], clip.y * inv_w * -100.0f + 100.0f);
-    EXPECT_EQ(device.z[i], std::min(clip.z * inv_w, 1.0f));
+    EXPECT_EQ(device.vertices[i].inv_w, inv_w);
+    EXPECT_EQ(device.vertices[i].x_px, clip.x * inv_w * 150.0f + 150.0f);
+    EXPECT_EQ(device.vertices[i].y_px, clip.y * inv_w * -100.0f + 100.0f);
+    EXPECT_EQ(device.vertices[i].z, std::min(clip.z * inv_w, 1.0f));
   }
   EXPECT_GT(kept, 500);
 }
@@ -130,7 +130,7 @@ TEST_P(VertexTransform, MarksWhatIsNotFinite) {
     EXPECT_NE(device.outcodes[i] & outcode::kNotFinite, 0) << i;
   }
   for (std::size_t i = 0; i < 13; ++i) {
-    EXPECT_TRUE(std::isfinite(device.x_px[i]) && std::isfinite(device.z[i]));
+    EXPECT_TRUE(std::isfinite(device.vertices[i].x_px) && std::isfinite(device.vertices[i].z));
   }
   EXPECT_EQ(device.outcodes[12], 0);
   EXPECT_NE(summary.any & outcode::kNotFinite, 0);
@@ -150,7 +150,7 @@ TEST_P(VertexTransform, BatchesDoNotMatter) {
     sum.all &= part.all;
   }
   for (std::size_t i = 0; i < world.count; ++i) {
-    EXPECT_EQ(whole.x_px[i], parts.x_px[i]);
+    EXPECT_EQ(whole.vertices[i].x_px, parts.vertices[i].x_px);
     EXPECT_EQ(whole.outcodes[i], parts.outcodes[i]);
   }
   EXPECT_EQ(sum.all, 0);

@@ -96,15 +96,14 @@ class Projected {
       world.x[i] = p.x, world.y[i] = p.y, world.z[i] = p.z;
     }
     device_.resize(world.count + Positions::kPadding);
-    const OutcodeSummary codes =
-        project(make_projector(camera.clip_from_world(), {0, 0, kWidth, kHeight},
-                               DeviceVertices::kGuardBand),
-                world, 0, world.count, device_);
+    const OutcodeSummary codes = project(
+        make_projector(camera.clip_from_world(), {0, 0, kWidth, kHeight}, DeviceVertex::kGuardBand),
+        world, 0, world.count, device_);
     EXPECT_EQ(codes.any & outcode::kMustCut, 0);
   }
   DrawCall call(CullMode cull) const {
     DrawCall c;
-    c.vertices = {device_.x_px, device_.y_px, device_.z, device_.inv_w};
+    c.vertices = device_.vertices;
     c.indices = indices_;
     c.cull = cull;
     return c;

@@ -15,7 +15,7 @@ Corners corners_of(const DrawCall& call, std::size_t triangle) {
   Corners out{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t v = call.indices[3 * triangle + i];
-    out[i] = snapped(call.vertices.x_px[v], call.vertices.y_px[v]);
+    out[i] = snapped(call.vertices[v].x_px, call.vertices[v].y_px);
   }
   return out;
 }

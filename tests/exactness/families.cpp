@@ -92,7 +92,7 @@ Tally compare_huge(Comparer& comparer, unsigned seed, int samples) {
   for (int i = 0; i < 64; ++i) {
     const float reach = std::array{200.0f, 3000.0f, 32600.0f}[static_cast<std::size_t>(i % 3)];
     auto t = random.triangle(20, 15, reach);
-    constexpr float kEdge = DeviceVertices::kGuardBand;
+    constexpr float kEdge = DeviceVertex::kGuardBand;
     for (TestVertex& v : t) {
       if (random.below(8) == 0) v.x = random.below(2) ? kEdge : -kEdge;
       if (random.below(8) == 0) v.y = random.below(2) ? kEdge : -kEdge;

@@ -81,7 +81,7 @@ struct Pipeline {
       world.x[i] = p.x, world.y[i] = p.y, world.z[i] = p.z;
       indices.push_back(static_cast<std::uint32_t>(i));
     }
-    constexpr float kGuardBand = DeviceVertices::kGuardBand;
+    constexpr float kGuardBand = DeviceVertex::kGuardBand;
     const Projector projector =
         make_projector(clip_from_world(), {0, 0, kWidth, kHeight}, kGuardBand);
     device.resize(vertices + Positions::kPadding);
@@ -89,12 +89,12 @@ struct Pipeline {
     Workers workers(1);
     std::vector<float> rows(vertices);
     cut.cut(workers, projector, kGuardBand, world, indices, device, rows, 1, 0);
-    std::fill(device.z.begin(), device.z.end(), Comparer::kDepth);
+    for (DeviceVertex& v : device.vertices) v.z = Comparer::kDepth;
   }
   /// Triangles [begin, end) of what is left.
   DrawCall call(std::size_t begin, std::size_t end) const {
     DrawCall c;
-    c.vertices = {device.x_px, device.y_px, device.z, device.inv_w};
+    c.vertices = device.vertices;
     c.indices = cut.indices().subspan(3 * begin, 3 * (end - begin));
     c.cull = CullMode::kNone;
     return c;
@@ -120,7 +120,7 @@ std::vector<CoverageOracle> oracles_of(const DrawCall& call) {
     std::array<Point, 3> corners{};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = call.indices[i + k];
-      corners[k] = snapped(call.vertices.x_px[v], call.vertices.y_px[v]);
+      corners[k] = snapped(call.vertices[v].x_px, call.vertices[v].y_px);
     }
     out.emplace_back(corners);
   }

@@ -154,19 +154,20 @@ TEST(BadInput, TenMillionTrianglesInOneCall) {
 
 TEST(BadInput, SixtyFiveThousandCallsOfOneTriangle) {
   constexpr int kCalls = 65536, kAcross = 256;
-  std::vector<float> x, y, z(3 * kCalls, 0.5f), inv_w(3 * kCalls, 1.0f);
+  std::vector<DeviceVertex> vertices;
   std::vector<std::uint32_t> indices(3 * kCalls);
   std::iota(indices.begin(), indices.end(), 0u);
   std::vector<LinearRgba> colours;
   for (int i = 0; i < kCalls; ++i) {
     const auto column = static_cast<float>(i % kAcross), row = static_cast<float>(i / kAcross);
-    x.insert(x.end(), {column, column, column + 1.9f});  // holds one pixel's centre
-    y.insert(y.end(), {row, row + 1.9f, row});
+    vertices.push_back({column, row, 0.5f, 1});  // holds one pixel's centre
+    vertices.push_back({column, row + 1.9f, 0.5f, 1});
+    vertices.push_back({column + 1.9f, row, 0.5f, 1});
     colours.push_back({static_cast<float>(i), 0, 0, 1});
   }
   std::vector<DrawCall> calls(kCalls);
   for (std::size_t i = 0; i < calls.size(); ++i) {
-    calls[i].vertices = {x, y, z, inv_w};
+    calls[i].vertices = vertices;
     calls[i].indices = std::span(indices).subspan(3 * i, 3);
     calls[i].constants = &colours[i];
     calls[i].shade = [](const Batch& batch, LinearRgba* out) {

@@ -149,11 +149,11 @@ TEST(Rasterizer, CountsTriangles) {
 }
 
 TEST(Rasterizer, AMillionDegenerateTriangles) {
-  const std::vector<float> one = {3, 9}, w = {1, 1};
+  const std::vector<DeviceVertex> vertices = {{3, 3, 3, 1}, {9, 9, 9, 1}};
   std::vector<std::uint32_t> indices(3'000'000);
   for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = i % 7 == 0;
   DrawCall call;
-  call.vertices = {one, one, one, w};
+  call.vertices = vertices;
   call.indices = indices;
   call.cull = CullMode::kNone;
   FloatCanvas canvas(20, 20);

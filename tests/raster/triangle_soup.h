@@ -20,19 +20,19 @@ class TriangleSoup {
  public:
   void add(const TestVertex& a, const TestVertex& b, const TestVertex& c) {
     for (const TestVertex& v : {a, b, c}) {
-      indices_.push_back(static_cast<std::uint32_t>(x_.size()));
-      x_.push_back(v.x);
-      y_.push_back(v.y);
-      z_.push_back(v.z);
-      inv_w_.push_back(v.inv_w);
+      indices_.push_back(static_cast<std::uint32_t>(vertices_.size()));
+      vertices_.push_back({v.x, v.y, v.z, v.inv_w});
     }
   }
   std::size_t size() const { return indices_.size() / 3; }
-  TestVertex vertex(std::size_t i) const { return {x_[i], y_[i], z_[i], inv_w_[i]}; }
+  TestVertex vertex(std::size_t i) const {
+    const DeviceVertex& v = vertices_[i];
+    return {v.x_px, v.y_px, v.z, v.inv_w};
+  }
 
   DrawCall call(ShadeFunction shade, CullMode cull = CullMode::kNone) const {
     DrawCall draw;
-    draw.vertices = {x_, y_, z_, inv_w_};
+    draw.vertices = vertices_;
     draw.indices = indices_;
     draw.cull = cull;
     draw.shade = shade;
@@ -40,7 +40,7 @@ class TriangleSoup {
   }
 
  private:
-  std::vector<float> x_, y_, z_, inv_w_;
+  std::vector<DeviceVertex> vertices_;
   std::vector<std::uint32_t> indices_;
 };
 

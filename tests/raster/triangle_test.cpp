@@ -151,7 +151,7 @@ TEST(Triangle, WithAnImpossibleVertexIsDropped) {
 }
 
 TEST(Triangle, UpToTheGuardBandIsDrawn) {
-  const float g = DeviceVertices::kGuardBand;
+  const float g = DeviceVertex::kGuardBand;
   TriangleSoup soup;
   soup.add({-g, -g}, {-g, g}, {g, g});
   soup.add({-g, -g}, {g, g}, {g, -g});

@@ -47,7 +47,8 @@ struct Frame {
 
   int width, height, samples;
   bool spoilt;
-  std::vector<float> x, y, z, inv_w, rows;
+  std::vector<DeviceVertex> vertices;
+  std::vector<float> rows;
   std::vector<std::uint32_t> indices, source;
   std::vector<DrawCall> calls;
 
@@ -70,25 +71,23 @@ void Frame::add_vertices(RandomTriangles& random) {
   const TriangleSoup soup = random.soup(triangles, width, height);
   for (std::size_t i = 0; i < 3 * soup.size(); ++i) {
     const TestVertex v = soup.vertex(i);
-    x.push_back(v.x);
-    y.push_back(v.y);
-    z.push_back(v.z);
-    inv_w.push_back(v.inv_w);
+    vertices.push_back({v.x, v.y, v.z, v.inv_w});
     indices.push_back(static_cast<std::uint32_t>(i));
     if (i % 3 == 0) source.push_back(static_cast<std::uint32_t>(random.below(1000)));
     for (int k = 0; k < Batch::kMaxAttributes; ++k) rows.push_back(random.between(-1, 2));
   }
-  if (!spoilt || x.empty()) return;
-  for (std::vector<float>* values : {&x, &y, &z, &inv_w, &rows}) {
-    for (int n = random.below(8); n > 0; --n) {
-      (*values)[static_cast<std::size_t>(random.below(static_cast<int>(values->size())))] =
-          impossible(random);
-    }
+  if (!spoilt || vertices.empty()) return;
+  const auto one_of = [&](auto& values) -> auto& {
+    return values[static_cast<std::size_t>(random.below(static_cast<int>(values.size())))];
+  };
+  for (float DeviceVertex::*value :
+       {&DeviceVertex::x_px, &DeviceVertex::y_px, &DeviceVertex::z, &DeviceVertex::inv_w}) {
+    for (int n = random.below(8); n > 0; --n) one_of(vertices).*value = impossible(random);
   }
+  for (int n = random.below(8); n > 0; --n) one_of(rows) = impossible(random);
   // Shared vertices too.
   for (int n = random.below(40); n > 0; --n) {
-    indices[static_cast<std::size_t>(random.below(static_cast<int>(indices.size())))] =
-        static_cast<std::uint32_t>(random.below(static_cast<int>(x.size())));
+    one_of(indices) = static_cast<std::uint32_t>(random.below(static_cast<int>(vertices.size())));
   }
 }
 
@@ -98,7 +97,7 @@ void Frame::add_calls(RandomTriangles& random) {
     const auto left = static_cast<int>(source.size() - begin);
     const auto count = static_cast<std::size_t>(random.below(3) ? random.below(left + 1) : left);
     DrawCall call;
-    call.vertices = {x, y, z, inv_w};
+    call.vertices = vertices;
     call.indices = std::span(indices).subspan(3 * begin, 3 * count);
     if (random.below(3) == 0) call.source_triangle = std::span(source).subspan(begin, count);
     call.attributes = rows;
