@@ -10,18 +10,12 @@
 
 #include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/pack-inl.h"
+#include "raster/kernels/set_up-inl.h"
 #include "raster/kernels/vertex_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using F = hn::CappedTag<float, 8>;
-using I = hn::RebindToSigned<F>;
-using U = hn::RebindToUnsigned<F>;
-using VF = hn::Vec<F>;
-using VI = hn::Vec<I>;
-using VU = hn::Vec<U>;
 
 /// Vertex k of several triangles.
 struct Corner {
@@ -58,26 +52,70 @@ HWY_INLINE Extent extent_of(VI a, VI b, VI c, std::int32_t least_offset, std::in
           hn::Sub(hi, lo)};
 }
 
-/// Appends some of the triangles, the front faces turned round.
-HWY_INLINE void append_turned(const Corner& a, const Corner& b, const Corner& c, hn::Mask<I> front,
-                              hn::Mask<I> chosen, VU triangle, CulledTriangles::Snapped& out) {
-  const F f;
-  const I i;
-  if (hn::AllFalse(i, chosen)) return;
+/// Triangles of positive area: the front faces turned round.
+struct Turned {
+  Corners at;
+  VF z[3];
+};
+
+HWY_INLINE Turned turned(const Corner& a, const Corner& b, const Corner& c, hn::Mask<I> front) {
+  const auto front_f = hn::RebindMask(F(), front);
+  return {{{a.x, hn::IfThenElse(front, c.x, b.x), hn::IfThenElse(front, b.x, c.x)},
+           {a.y, hn::IfThenElse(front, c.y, b.y), hn::IfThenElse(front, b.y, c.y)}},
+          {a.z, hn::IfThenElse(front_f, c.z, b.z), hn::IfThenElse(front_f, b.z, c.z)}};
+}
+
+/// Appends some of the triangles.
+HWY_INLINE void append(const Turned& t, hn::Mask<I> chosen, VU triangle,
+                       CulledTriangles::Snapped& out) {
+  if (hn::AllFalse(I(), chosen)) return;
   const Packer<I> pack(chosen);
   const auto n = static_cast<std::size_t>(out.size);
-  const auto front_f = hn::RebindMask(f, front);
-  pack.store(a.x, out.x[0].data() + n);
-  pack.store(a.y, out.y[0].data() + n);
-  pack.store(a.z, out.z[0].data() + n);
-  pack.store(hn::IfThenElse(front, c.x, b.x), out.x[1].data() + n);
-  pack.store(hn::IfThenElse(front, c.y, b.y), out.y[1].data() + n);
-  pack.store(hn::IfThenElse(front_f, c.z, b.z), out.z[1].data() + n);
-  pack.store(hn::IfThenElse(front, b.x, c.x), out.x[2].data() + n);
-  pack.store(hn::IfThenElse(front, b.y, c.y), out.y[2].data() + n);
-  pack.store(hn::IfThenElse(front_f, b.z, c.z), out.z[2].data() + n);
+  for (std::size_t v = 0; v < 3; ++v) {
+    pack.store(t.at.x[v], out.x[v].data() + n);
+    pack.store(t.at.y[v], out.y[v].data() + n);
+    pack.store(t.z[v], out.z[v].data() + n);
+  }
   pack.store(triangle, out.triangle.data() + n);
   out.size += static_cast<int>(pack.count());
+}
+
+/// Whether a sample is covered of the pixel right and down of each triangle's (x, y).
+HWY_INLINE hn::Mask<I> covers_pixel(const Edge (&edge)[3], int right, int down,
+                                    std::span<const SampleOffset> pattern) {
+  const I i;
+  VI outside = hn::Set(i, -1);  // negative, of all samples
+  for (const SampleOffset& sample : pattern) {
+    const VI dx = hn::Set(i, 256 * right + sample.x.raw());
+    const VI dy = hn::Set(i, 256 * down + sample.y.raw());
+    VI e = hn::Zero(i);
+    for (const Edge& side : edge) {
+      const VI rise = hn::Sub(hn::Mul(side.dx, dy), hn::Mul(side.dy, dx));
+      e = hn::Or(e, hn::Add(side.e, rise));
+    }
+    outside = hn::And(outside, e);
+  }
+  return hn::Gt(outside, hn::Set(i, -1));
+}
+
+/// Which of some triangles cover no sample, as far as that is told soon: of those whose box holds
+/// one pixel, or at one sample a pixel no more than two either way.
+HWY_INLINE hn::Mask<I> misses(const Corners& t, const Extent& ex, const Extent& ey,
+                              hn::Mask<I> chosen, std::span<const SampleOffset> pattern) {
+  const I i;
+  const int reach = pattern.size() == 1 ? 2 : 1;
+  const VI columns = hn::Sub(ex.end, ex.first), rows = hn::Sub(ey.end, ey.first);
+  auto missed = hn::And(chosen, hn::Lt(hn::Max(columns, rows), hn::Set(i, reach + 1)));
+  if (hn::AllFalse(i, missed)) return missed;
+  Edge edge[3];
+  const VI x = hn::ShiftLeft<8>(ex.first), y = hn::ShiftLeft<8>(ey.first);
+  for (int e = 0; e < 3; ++e) edge[e] = edge_at(t, e, x, y);
+  for (int down = 0; down < reach; ++down) {
+    for (int right = 0; right < reach; ++right) {
+      missed = hn::AndNot(covers_pixel(edge, right, down, pattern), missed);
+    }
+  }
+  return missed;
 }
 
 /// @param index  three a triangle
@@ -113,8 +151,8 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits,
   const auto outside = hn::Or(hn::Or(hn::Lt(ex.first, zero), hn::Lt(ey.first, zero)),
                               hn::Or(hn::Gt(ex.end, width), hn::Gt(ey.end, height)));
   const auto below = [&](int px) HWY_ATTR { return hn::Lt(extent, hn::Set(i, px * 256)); };
-  const auto is_small = hn::AndNot(outside, hn::And(keep, below(CulledTriangles::kSmallPx)));
-  const auto is_medium = hn::AndNot(is_small, hn::And(keep, below(CulledTriangles::kMediumPx)));
+  const auto fits_small = hn::AndNot(outside, hn::And(keep, below(CulledTriangles::kSmallPx)));
+  const auto is_medium = hn::AndNot(fits_small, hn::And(keep, below(CulledTriangles::kMediumPx)));
   const auto is_large = hn::AndNot(below(CulledTriangles::kMediumPx), keep);
   const VU triangle = lanes_from(u, first);
   if (!hn::AllFalse(i, is_large)) {
@@ -122,8 +160,10 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits,
     pack.store(triangle, out.large_triangle.data() + out.large_size);
     out.large_size += static_cast<int>(pack.count());
   }
-  append_turned(a, b, c, front, is_small, triangle, out.small);
-  append_turned(a, b, c, front, is_medium, triangle, out.medium);
+  const Turned t = turned(a, b, c, front);
+  append(t, hn::AndNot(misses(t.at, ex, ey, fits_small, limits.pattern), fits_small), triangle,
+         out.small);
+  append(t, is_medium, triangle, out.medium);
 }
 
 void CullTriangles(const DrawCall& call, const CullLimits& limits, std::uint32_t first,
@@ -154,7 +194,7 @@ HWY_EXPORT(CullTriangles);
 void cull_triangles(const DrawCall& call, std::uint32_t first, std::uint32_t count,
                     std::span<const SampleOffset> pattern, const TileGrid& grid,
                     CulledTriangles& out) {
-  const CullLimits limits{sample_limits(pattern), grid.width, grid.height, call.cull};
+  const CullLimits limits{pattern, sample_limits(pattern), grid.width, grid.height, call.cull};
   out.small.size = out.medium.size = out.large_size = 0;
   HWY_DYNAMIC_DISPATCH(CullTriangles)(call, limits, first, count, out);
 }

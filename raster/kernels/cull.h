@@ -39,6 +39,7 @@ struct CulledTriangles {
 
 /// What does not change from triangle to triangle: used by the kernel.
 struct CullLimits {
+  std::span<const SampleOffset> pattern;
   SampleLimits samples;
   std::int32_t width, height;  ///< of the target, pixels
   CullMode mode;
