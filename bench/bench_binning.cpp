@@ -18,7 +18,7 @@ struct FrontEnd {
       : pattern(sample_pattern(samples)), grid(kWidth, kHeight, samples == 1 ? 64 : 32, 32) {}
 
   void cull(const DrawCall& call, std::uint32_t first) {
-    cull_triangles(call, first, TriangleRange::kMaxCount, pattern, grid, *culled);
+    cull_triangles(call, first, TriangleRange::kMaxCount, pattern, grid, true, *culled);
   }
   void bin(const DrawCall& call) {
     bin_small_triangles(culled->small, 0, grid, bins);

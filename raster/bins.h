@@ -32,6 +32,16 @@ struct TriangleChunk {
   int size;
 };
 
+/// Triangles that cover one pixel, at one sample a pixel.
+struct PixelChunk {
+  static constexpr std::size_t kCapacity = 64;
+  std::array<std::uint32_t, kCapacity> place;  ///< row << 8 | column in the tile
+  std::array<float, kCapacity> z;
+  std::array<std::uint32_t, kCapacity> id;
+  PixelChunk* next;
+  int size;
+};
+
 struct RecordChunk {
   static constexpr int kCapacity = 15;
   std::array<TriangleRecord, kCapacity> records;
@@ -87,17 +97,21 @@ struct ChunkList {
 struct Bins {
   std::vector<ChunkList<RecordChunk>> records;
   std::vector<ChunkList<TriangleChunk>> medium;
+  std::vector<ChunkList<PixelChunk>> pixels;
   std::vector<ChunkList<TriangleChunk>> small;         ///< those that touch no other tile
   std::vector<ChunkList<TriangleChunk>> small_across;  ///< the others
   ChunkPool<RecordChunk> record_pool;
   ChunkPool<TriangleChunk> triangle_pool;
+  ChunkPool<PixelChunk> pixel_pool;
 
   void clear(int tiles) {
     records.assign(static_cast<std::size_t>(tiles), {});
     for (auto* lists : {&medium, &small, &small_across}) {
       lists->assign(static_cast<std::size_t>(tiles), {});
     }
+    pixels.assign(static_cast<std::size_t>(tiles), {});
     record_pool.take_all_back();
+    pixel_pool.take_all_back();
     triangle_pool.take_all_back();
   }
 };

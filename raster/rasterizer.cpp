@@ -15,6 +15,7 @@
 #include "raster/kernels/gather.h"
 #include "raster/kernels/large_triangles.h"
 #include "raster/kernels/medium_triangles.h"
+#include "raster/kernels/pixel_triangles.h"
 #include "raster/kernels/small_triangles.h"
 #include "raster/ordered/ordered_bins.h"
 #include "raster/ordered/ordered_tile.h"
@@ -116,8 +117,9 @@ void Rasterizer::Frame::bin_range(const TriangleRange& range, WorkerState& state
   const PixelRect clip = clip_of(call, grid);
   if (clip.empty()) return;
   CulledTriangles& culled = state.culled;
-  cull_triangles(call, range.first, range.count, pattern, grid, culled);
   const DrawPhase phase = phases[range.call];
+  const bool finish_pixels = phase == DrawPhase::kVisibility && !call.scissor;
+  cull_triangles(call, range.first, range.count, pattern, grid, finish_pixels, culled);
   if (phase != DrawPhase::kVisibility) {
     OrderedBins& bins = state.ordered_bins;
     state.stats.drawn +=
@@ -125,9 +127,11 @@ void Rasterizer::Frame::bin_range(const TriangleRange& range, WorkerState& state
     return;
   }
   if (call.scissor) apply_scissor(clip, pattern, culled);
+  bin_pixels(culled.pixels, first_id, grid, state.bins);
   bin_small_triangles(culled.small, first_id, grid, state.bins);
   bin_medium_triangles(culled.medium, first_id, grid, state.bins);
-  state.stats.drawn += static_cast<std::uint64_t>(culled.small.size + culled.medium.size);
+  state.stats.drawn +=
+      static_cast<std::uint64_t>(culled.pixels.size + culled.small.size + culled.medium.size);
   SnappedTriangle triangle;
   for (int i = 0; i < culled.large_size; ++i) {
     const std::uint32_t index = culled.large_triangle[static_cast<std::size_t>(i)];
@@ -164,6 +168,7 @@ void Rasterizer::Frame::draw_tile(int tile, RenderTarget& target, bool want_hash
   draw_large_triangles(state.records, pattern, state.tile);
   for (const WorkerState& from : states) {
     draw_medium_triangles(from.bins.medium[at], pattern, state.tile);
+    draw_pixels(from.bins.pixels[at], pattern, state.tile);
     draw_small_triangles(from.bins.small[at], false, pattern, state.tile, state.buffer);
     draw_small_triangles(from.bins.small_across[at], true, pattern, state.tile, state.buffer);
   }

@@ -82,10 +82,12 @@ struct TilesAlong {
   std::int32_t per_eight;
   TilesAlong(int end, int side) : end_px(end), per_eight((65536 + side / 8 - 1) / (side / 8)) {}
 
+  HWY_INLINE hn::Vec<I> of_pixel(hn::Vec<I> px) const {
+    return hn::ShiftRight<16>(hn::Mul(hn::ShiftRight<3>(px), hn::Set(I(), per_eight)));
+  }
   HWY_INLINE hn::Vec<I> of(hn::Vec<I> raw) const {
     const I i;
-    const auto px = hn::Min(hn::Max(hn::ShiftRight<8>(raw), hn::Zero(i)), hn::Set(i, end_px - 1));
-    return hn::ShiftRight<16>(hn::Mul(hn::ShiftRight<3>(px), hn::Set(i, per_eight)));
+    return of_pixel(hn::Min(hn::Max(hn::ShiftRight<8>(raw), hn::Zero(i)), hn::Set(i, end_px - 1)));
   }
 };
 
@@ -110,28 +112,68 @@ HWY_INLINE TileEnds tile_ends(const CulledTriangles::Snapped& t, std::size_t k,
           hn::Add(hn::Mul(down.of(most(t.y)), row), across.of(most(t.x)))};
 }
 
+/// Calls append(pack, tile) for each tile that occurs among some lanes. Neighbours share tiles:
+/// most often that is one round, or two.
+template <typename Append>
+HWY_INLINE void for_each_tile(hn::Vec<I> tiles, hn::Mask<I> chosen, const Append& append) {
+  const I i;
+  alignas(64) std::array<std::int32_t, 16> tile;
+  hn::Store(tiles, i, tile.data());
+  for (unsigned left = Packer<I>(chosen).bits(); left != 0;) {
+    const std::int32_t at = tile[static_cast<std::size_t>(std::countr_zero(left))];
+    const Packer<I> pack(hn::And(chosen, hn::Eq(tiles, hn::Set(i, at))));
+    append(pack, static_cast<std::size_t>(at));
+    left &= ~unsigned{pack.bits()};
+  }
+}
+
+void BinPixels(const CulledTriangles::Pixels& pixels, std::uint32_t first_id, const TileGrid& grid,
+               Bins& bins) {
+  const F f;
+  const I i;
+  const U u;
+  const std::size_t lanes = hn::Lanes(i), size = static_cast<std::size_t>(pixels.size);
+  const TilesAlong across(grid.width, grid.tile_width), down(grid.height, grid.tile_height);
+  for (std::size_t k = 0; k < size; k += lanes) {
+    const auto xy = hn::LoadU(u, pixels.xy.data() + k);
+    const auto within = first_lanes(i, size - k);
+    // What lies beyond the last pixel is some pixel too: there its number is 0.
+    const auto known = hn::IfThenElseZero(hn::RebindMask(u, within), xy);
+    const auto x = hn::BitCast(i, hn::And(known, hn::Set(u, 0xffff)));
+    const auto y = hn::BitCast(i, hn::ShiftRight<16>(known));
+    const auto column = across.of_pixel(x), row = down.of_pixel(y);
+    const auto in_x = hn::Sub(x, hn::Mul(column, hn::Set(i, grid.tile_width)));
+    const auto in_y = hn::Sub(y, hn::Mul(row, hn::Set(i, grid.tile_height)));
+    const auto place = hn::Or(hn::ShiftLeft<8>(in_y), in_x);
+    const auto z = hn::LoadU(f, pixels.z.data() + k);
+    const auto id = hn::Add(hn::LoadU(u, pixels.triangle.data() + k), hn::Set(u, first_id));
+    const auto tiles = hn::Add(hn::Mul(row, hn::Set(i, grid.columns)), column);
+    for_each_tile(tiles, within, [&](const Packer<I>& pack, std::size_t tile) HWY_ATTR {
+      PixelChunk& chunk = bins.pixels[tile].tail(bins.pixel_pool, static_cast<int>(lanes));
+      const auto n = static_cast<std::size_t>(chunk.size);
+      pack.store(hn::BitCast(u, place), chunk.place.data() + n);
+      pack.store(z, chunk.z.data() + n);
+      pack.store(id, chunk.id.data() + n);
+      chunk.size += static_cast<int>(pack.count());
+    });
+  }
+}
+
 void BinSmallTriangles(const CulledTriangles::Snapped& t, std::uint32_t first_id,
                        const TileGrid& grid, Bins& bins) {
   const I i;
   const std::size_t lanes = hn::Lanes(i), size = static_cast<std::size_t>(t.size);
   const TilesAlong across(grid.width, grid.tile_width), down(grid.height, grid.tile_height);
-  alignas(64) std::array<std::int32_t, 16> tile;
   for (std::size_t k = 0; k < size; k += lanes) {
     const TileEnds ends = tile_ends(t, k, across, down, grid.columns);
     const auto within = first_lanes(i, size - k);
     const auto is_one = hn::And(within, hn::Eq(ends.first, ends.last));
-    hn::Store(ends.first, i, tile.data());
-    // Neighbours share tiles: most often one round, or two.
-    unsigned left = Packer<I>(is_one).bits();
-    const unsigned in_several = Packer<I>(within).bits() & ~left;
-    while (left != 0) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      const Packer<I> pack(hn::And(is_one, hn::Eq(ends.first, hn::Set(i, tile[lane]))));
-      auto& list = bins.small[static_cast<std::size_t>(tile[lane])];
-      append_packed(t, k, pack, first_id, list.tail(bins.triangle_pool, static_cast<int>(lanes)));
-      left &= ~unsigned{pack.bits()};
-    }
-    for (left = in_several; left != 0; left &= left - 1) {
+    for_each_tile(ends.first, is_one, [&](const Packer<I>& pack, std::size_t tile) HWY_ATTR {
+      TriangleChunk& chunk = bins.small[tile].tail(bins.triangle_pool, static_cast<int>(lanes));
+      append_packed(t, k, pack, first_id, chunk);
+    });
+    for (unsigned left = Packer<I>(hn::AndNot(is_one, within)).bits(); left != 0;
+         left &= left - 1) {
       const std::size_t at = k + static_cast<std::size_t>(std::countr_zero(left));
       append_to_all(t, at, first_id, tiles_touched(t, at, grid), grid, bins.small_across,
                     bins.triangle_pool);
@@ -152,8 +194,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace kinescope {
 
+HWY_EXPORT(BinPixels);
 HWY_EXPORT(BinSmallTriangles);
 HWY_EXPORT(BinMediumTriangles);
+
+void bin_pixels(const CulledTriangles::Pixels& pixels, std::uint32_t first_id, const TileGrid& grid,
+                Bins& bins) {
+  HWY_DYNAMIC_DISPATCH(BinPixels)(pixels, first_id, grid, bins);
+}
 
 void bin_small_triangles(const CulledTriangles::Snapped& triangles, std::uint32_t first_id,
                          const TileGrid& grid, Bins& bins) {

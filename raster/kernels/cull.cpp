@@ -98,24 +98,50 @@ HWY_INLINE hn::Mask<I> covers_pixel(const Edge (&edge)[3], int right, int down,
   return hn::Gt(outside, hn::Set(i, -1));
 }
 
-/// Which of some triangles cover no sample, as far as that is told soon: of those whose box holds
-/// one pixel, or at one sample a pixel no more than two either way.
-HWY_INLINE hn::Mask<I> misses(const Corners& t, const Extent& ex, const Extent& ey,
-                              hn::Mask<I> chosen, std::span<const SampleOffset> pattern) {
+/// How many pixels small triangles cover, and the last of them.
+struct Coverage {
+  hn::Mask<I> is_known;
+  VI count, x, y;
+};
+
+/// Of triangles whose box holds one pixel, or at one sample a pixel no more than two either way.
+HWY_INLINE Coverage coverage(const Corners& t, const Extent& ex, const Extent& ey,
+                             hn::Mask<I> chosen, std::span<const SampleOffset> pattern) {
   const I i;
   const int reach = pattern.size() == 1 ? 2 : 1;
-  const VI columns = hn::Sub(ex.end, ex.first), rows = hn::Sub(ey.end, ey.first);
-  auto missed = hn::And(chosen, hn::Lt(hn::Max(columns, rows), hn::Set(i, reach + 1)));
-  if (hn::AllFalse(i, missed)) return missed;
+  const VI size = hn::Max(hn::Sub(ex.end, ex.first), hn::Sub(ey.end, ey.first));
+  Coverage c = {hn::And(chosen, hn::Lt(size, hn::Set(i, reach + 1))), hn::Zero(i), ex.first,
+                ey.first};
+  if (hn::AllFalse(i, c.is_known)) return c;
   Edge edge[3];
   const VI x = hn::ShiftLeft<8>(ex.first), y = hn::ShiftLeft<8>(ey.first);
   for (int e = 0; e < 3; ++e) edge[e] = edge_at(t, e, x, y);
   for (int down = 0; down < reach; ++down) {
     for (int right = 0; right < reach; ++right) {
-      missed = hn::AndNot(covers_pixel(edge, right, down, pattern), missed);
+      const auto covered = covers_pixel(edge, right, down, pattern);
+      c.count = hn::Sub(c.count, hn::VecFromMask(i, covered));
+      c.x = hn::IfThenElse(covered, hn::Add(ex.first, hn::Set(i, right)), c.x);
+      c.y = hn::IfThenElse(covered, hn::Add(ey.first, hn::Set(i, down)), c.y);
     }
   }
-  return missed;
+  return c;
+}
+
+/// Appends the pixels of triangles that cover no other.
+HWY_INLINE void append_pixels(const Turned& t, const Coverage& c, hn::Mask<I> chosen, VU triangle,
+                              SampleOffset sample, CulledTriangles::Pixels& out) {
+  const F f;
+  const I i;
+  if (hn::AllFalse(i, chosen)) return;
+  const DepthPlanes depth = depth_planes(t.at, t.z[0], t.z[1], t.z[2]);
+  const VF px = hn::Add(hn::ConvertTo(f, c.x), hn::Set(f, sample.x.to_float()));
+  const VF py = hn::Add(hn::ConvertTo(f, c.y), hn::Set(f, sample.y.to_float()));
+  const Packer<I> pack(chosen);
+  const auto n = static_cast<std::size_t>(out.size);
+  pack.store(hn::BitCast(U(), hn::Or(hn::ShiftLeft<16>(c.y), c.x)), out.xy.data() + n);
+  pack.store(depth.at(px, py), out.z.data() + n);
+  pack.store(triangle, out.triangle.data() + n);
+  out.size += static_cast<int>(pack.count());
 }
 
 /// @param index  three a triangle
@@ -161,8 +187,16 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits,
     out.large_size += static_cast<int>(pack.count());
   }
   const Turned t = turned(a, b, c, front);
-  append(t, hn::AndNot(misses(t.at, ex, ey, fits_small, limits.pattern), fits_small), triangle,
-         out.small);
+  const Coverage covered = coverage(t.at, ex, ey, fits_small, limits.pattern);
+  const auto counts = [&](int n) HWY_ATTR {
+    return hn::And(covered.is_known, hn::Eq(covered.count, hn::Set(i, n)));
+  };
+  auto is_done = counts(0);
+  if (limits.finish_pixels) {
+    append_pixels(t, covered, counts(1), triangle, limits.pattern[0], out.pixels);
+    is_done = hn::Or(is_done, counts(1));
+  }
+  append(t, hn::AndNot(is_done, fits_small), triangle, out.small);
   append(t, is_medium, triangle, out.medium);
 }
 
@@ -192,10 +226,12 @@ namespace kinescope {
 HWY_EXPORT(CullTriangles);
 
 void cull_triangles(const DrawCall& call, std::uint32_t first, std::uint32_t count,
-                    std::span<const SampleOffset> pattern, const TileGrid& grid,
+                    std::span<const SampleOffset> pattern, const TileGrid& grid, bool finish_pixels,
                     CulledTriangles& out) {
-  const CullLimits limits{pattern, sample_limits(pattern), grid.width, grid.height, call.cull};
-  out.small.size = out.medium.size = out.large_size = 0;
+  const CullLimits limits{pattern,    sample_limits(pattern),
+                          grid.width, grid.height,
+                          call.cull,  finish_pixels && pattern.size() == 1};
+  out.pixels.size = out.small.size = out.medium.size = out.large_size = 0;
   HWY_DYNAMIC_DISPATCH(CullTriangles)(call, limits, first, count, out);
 }
 

@@ -30,6 +30,15 @@ struct CulledTriangles {
     alignas(64) std::array<std::uint32_t, kCapacity> triangle;
   };
   Snapped small;  ///< these touch no pixel outside the target
+
+  /// Small triangles that cover one pixel, finished; only at one sample a pixel, where asked for.
+  struct Pixels {
+    int size = 0;
+    alignas(64) std::array<std::uint32_t, kCapacity> xy;  ///< y << 16 | x
+    alignas(64) std::array<float, kCapacity> z;
+    alignas(64) std::array<std::uint32_t, kCapacity> triangle;
+  };
+  Pixels pixels;
   Snapped medium;
 
   /// The others: index in the call. Those of more than 64 pixels are not culled by facing yet.
@@ -43,10 +52,12 @@ struct CullLimits {
   SampleLimits samples;
   std::int32_t width, height;  ///< of the target, pixels
   CullMode mode;
+  bool finish_pixels;
 };
 
+/// @param finish_pixels  whether triangles that cover one pixel may go to `pixels`
 void cull_triangles(const DrawCall& call, std::uint32_t first, std::uint32_t count,
-                    std::span<const SampleOffset> pattern, const TileGrid& grid,
+                    std::span<const SampleOffset> pattern, const TileGrid& grid, bool finish_pixels,
                     CulledTriangles& out);
 
 }  // namespace kinescope

@@ -61,16 +61,19 @@ HWY_INLINE Edge edge_at(const Corners& c, int v, VI point_x, VI point_y) {
 /// DepthPlane, of several triangles.
 struct DepthPlanes {
   VF x_px, y_px, z, dz_dx, dz_dy, nearest, farthest;
+
+  /// DepthPlane::at, with its roundings.
+  HWY_INLINE VF at(VF px, VF py) const {
+    const VF row = hn::Add(z, hn::Mul(dz_dy, hn::Sub(py, y_px)));
+    const VF plane = hn::Add(row, hn::Mul(dz_dx, hn::Sub(px, x_px)));
+    return hn::Min(hn::Max(plane, nearest), farthest);
+  }
 };
 
-template <class Triangles>
-HWY_INLINE DepthPlanes depth_planes(const Triangles& t, std::size_t k, const Corners& c) {
+HWY_INLINE DepthPlanes depth_planes(const Corners& c, VF z0, VF z1, VF z2) {
   const F f;
   const VI x1 = hn::Sub(c.x[1], c.x[0]), y1 = hn::Sub(c.y[1], c.y[0]);
   const VI x2 = hn::Sub(c.x[2], c.x[0]), y2 = hn::Sub(c.y[2], c.y[0]);
-  const VF z0 = hn::LoadU(f, t.z[0].data() + k);
-  const VF z1 = hn::LoadU(f, t.z[1].data() + k);
-  const VF z2 = hn::LoadU(f, t.z[2].data() + k);
   const VF z10 = hn::Sub(z1, z0), z20 = hn::Sub(z2, z0);
   const VI area = hn::Sub(hn::Mul(x1, y2), hn::Mul(x2, y1));
   const VF inverse = hn::Div(hn::Set(f, 1.0f), hn::ConvertTo(f, area));
@@ -84,6 +87,14 @@ HWY_INLINE DepthPlanes depth_planes(const Triangles& t, std::size_t k, const Cor
           hn::Mul(hn::Mul(num_y, inverse), a_pixel),
           hn::Min(hn::Min(z0, z1), z2),
           hn::Max(hn::Max(z0, z1), z2)};
+}
+
+/// Of triangles as load_corners takes them.
+template <class Triangles>
+HWY_INLINE DepthPlanes depth_planes(const Triangles& t, std::size_t k, const Corners& c) {
+  const F f;
+  return depth_planes(c, hn::LoadU(f, t.z[0].data() + k), hn::LoadU(f, t.z[1].data() + k),
+                      hn::LoadU(f, t.z[2].data() + k));
 }
 
 }  // namespace kinescope::HWY_NAMESPACE

@@ -6,12 +6,12 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/kernels/small_triangles.cpp"
-#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "raster/kernels/merge_fragments-inl.h"
 #include "raster/kernels/pack-inl.h"
+#include "raster/kernels/prefetch-inl.h"
 #include "raster/kernels/tile_blocks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -181,17 +181,6 @@ HWY_INLINE void pad(const TriangleChunk& from, std::size_t k, std::size_t lanes,
       to.z[v][n] = from.z[corner][i];
     }
     to.id[n] = from.id[i];
-  }
-}
-
-/// Asks for a part of a chunk that will be drawn soon: the bins of a frame outgrow the caches.
-/// Inlined always: g++ 12 takes a call that only asks ahead for one that does nothing.
-HWY_INLINE void prefetch(const TriangleChunk* chunk, std::size_t part, std::size_t parts) {
-  if (chunk == nullptr) return;
-  constexpr std::size_t kLine = 64, kLines = (sizeof(TriangleChunk) + kLine - 1) / kLine;
-  const auto* const bytes = reinterpret_cast<const std::byte*>(chunk);
-  for (std::size_t n = kLines * part / parts; n < kLines * (part + 1) / parts; ++n) {
-    hwy::Prefetch(bytes + n * kLine);
   }
 }
 
