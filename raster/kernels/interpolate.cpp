@@ -107,10 +107,11 @@ HWY_INLINE std::size_t find_runs(std::size_t size, BatchStorage& batch) {
 
 /// Rows of a block, and blocks, meet the same triangles again and again: a run whose triangle had
 /// one before joins it. @return how many runs are left
-HWY_INLINE std::size_t join_runs(std::size_t runs, WeightPlanes& p) {
+HWY_INLINE std::size_t join_runs(const DrawCall& call, std::size_t runs, WeightPlanes& p) {
   std::uint32_t count = 0;
   for (std::size_t r = 0; r < runs; ++r) {
     const std::uint32_t triangle = p.triangle[r];
+    hwy::Prefetch(call.indices.data() + std::size_t{3} * triangle);
     std::uint16_t& place = p.place[triangle % p.place.size()];
     const bool is_new = place >= count || p.triangle[place] != triangle;
     // No branch: nobody can predict which triangle comes next.
@@ -167,7 +168,7 @@ void Interpolate(const DrawCall& call, int size, BatchStorage& batch) {
   if (list.count == 0 && call.cull != CullMode::kNone) return;
   WeightPlanes& p = batch.planes;
   const auto end = static_cast<std::size_t>(size);
-  const std::size_t triangles = join_runs(find_runs(end, batch), p);
+  const std::size_t triangles = join_runs(call, find_runs(end, batch), p);
   set_up_triangles(call, list, 0, triangles, p);
   interpolate_all(call, list, end, batch);
 }
