@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/prefetch-inl.h"
 #include "raster/kernels/tile_blocks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -102,6 +103,7 @@ HWY_INLINE void draw_all(const ChunkList<TriangleChunk>& triangles,
   for (const TriangleChunk* chunk = triangles.first; chunk != nullptr; chunk = chunk->next) {
     const auto size = static_cast<std::size_t>(chunk->size);
     for (std::size_t first = 0; first < size; first += lanes) {
+      prefetch(chunk->next, first / lanes, TriangleChunk::kCapacity / lanes);
       set_up(*chunk, first, tile.rect, group);
       for (std::size_t k = 0; k < std::min(lanes, size - first); ++k) {
         if (group.nearest[k] > tile.farthest) continue;
