@@ -142,6 +142,35 @@ TEST(Determinism, LayersInAnyOrderEqualTheReference) {
   }
 }
 
+/// Triangles of a pixel or less, on pixels' centres and corners among others, many at one depth:
+/// they are told and finished before they reach a tile.
+TEST(Determinism, TrianglesOfAPixelEqualTheReference) {
+  constexpr int kWidth = 139, kHeight = 90;
+  RandomTriangles random(5);
+  TriangleSoup soup;
+  for (int i = 0; i < 6000; ++i) {
+    const auto t = random.triangle(random.between(-1, kWidth + 1), random.between(-1, kHeight + 1),
+                                   random.between(0.1f, 1.5f));
+    soup.add(t[0], t[1], t[2]);
+  }
+  const DrawCall call = soup.call(nullptr);
+  const SimdGuard guard;
+  for (const int samples : {1, 4}) {
+    const std::uint64_t want = draw_reference(kWidth, kHeight, samples, {&call, 1}).visibility_hash;
+    for (const std::string& name : simd_targets()) {
+      use_simd_target(name);
+      for (const auto& [width, height] : {std::pair{0, 0}, {8, 8}, {24, 40}, {56, 16}}) {
+        Workers workers(2);
+        Rasterizer rasterizer(workers, {width, height});
+        RenderTarget target(kWidth, kHeight, samples);
+        EXPECT_EQ(rasterizer.draw(target, {&call, 1}, true).visibility_hash, want)
+            << name << ", " << samples << " samples, tiles of " << width << "x" << height;
+      }
+    }
+    use_simd_target("best");
+  }
+}
+
 TEST(Determinism, SameForAnyThreadCount) {
   for (const int samples : {1, 4, 8}) {
     const TestScene scene(3000, 200, 160, 11);
