@@ -81,7 +81,7 @@ class Pipeline : public ClonableDemo<Pipeline> {
     world.caption("2  world space", "in its place, the camera looking at it");
     if (knob(kMatrices).on()) world.matrix("world from local", world_from_local);
 
-    SpaceView seen = view(column(2), 0, observer({0, -0.2f, -5.2f}, 24, 0.95f, 0.4f));
+    SpaceView seen = view(column(2), 0, observer({0, -0.4f, -5.6f}, 26, 0.95f, 0.4f));
     draw_space(seen, mesh, camera_.view_from_world() * world_from_local, camera_.view_from_world(),
                2.2f);
     seen.caption("3  view space", "the eye at the origin, looking down -z");
@@ -89,7 +89,7 @@ class Pipeline : public ClonableDemo<Pipeline> {
 
     // Shown with z towards the observer, so that it is no mirror image.
     const glm::mat4 flip = glm::scale(glm::mat4(1), glm::vec3(1, 1, -1));
-    SpaceView clip = view(0, lower, observer({0, 0, -0.5f}, 5.6f, 0.55f, 0.35f));
+    SpaceView clip = view(0, lower, observer({0.5f, -0.3f, -0.5f}, 7.4f, 0.55f, 0.35f));
     draw_space(clip, mesh, flip * camera_.clip_from_world() * world_from_local,
                flip * camera_.clip_from_world(), 0.5f);
     clip.caption("4  clip space, divided by w", "the view volume is a box; near things have grown");
