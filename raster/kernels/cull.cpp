@@ -144,6 +144,30 @@ HWY_INLINE void append_pixels(const Turned& t, const Coverage& c, hn::Mask<I> ch
   out.size += static_cast<int>(pack.count());
 }
 
+/// Appends small triangles, finished where they cover one pixel, but those that cover none.
+HWY_INLINE void append_small(const Turned& t, const Extent& ex, const Extent& ey,
+                             hn::Mask<I> chosen, VU triangle, const CullLimits& limits,
+                             CulledTriangles& out) {
+  const I i;
+  const Coverage covered = coverage(t.at, ex, ey, chosen, limits.pattern);
+  const auto counts = [&](int n) HWY_ATTR {
+    return hn::And(covered.is_known, hn::Eq(covered.count, hn::Set(i, n)));
+  };
+  auto is_done = counts(0);
+  if (limits.finish_pixels) {
+    append_pixels(t, covered, counts(1), triangle, limits.pattern[0], out.pixels);
+    is_done = hn::Or(is_done, counts(1));
+  }
+  append(t, hn::AndNot(is_done, chosen), triangle, out.small);
+}
+
+HWY_INLINE void append_large(hn::Mask<I> chosen, VU triangle, CulledTriangles& out) {
+  if (hn::AllFalse(I(), chosen)) return;
+  const Packer<I> pack(chosen);
+  pack.store(triangle, out.large_triangle.data() + out.large_size);
+  out.large_size += static_cast<int>(pack.count());
+}
+
 /// @param index  three a triangle
 HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits,
                             const std::uint32_t* index, std::uint32_t first, CulledTriangles& out) {
@@ -181,22 +205,9 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits,
   const auto is_medium = hn::AndNot(fits_small, hn::And(keep, below(CulledTriangles::kMediumPx)));
   const auto is_large = hn::AndNot(below(CulledTriangles::kMediumPx), keep);
   const VU triangle = lanes_from(u, first);
-  if (!hn::AllFalse(i, is_large)) {
-    const Packer<I> pack(is_large);
-    pack.store(triangle, out.large_triangle.data() + out.large_size);
-    out.large_size += static_cast<int>(pack.count());
-  }
+  append_large(is_large, triangle, out);
   const Turned t = turned(a, b, c, front);
-  const Coverage covered = coverage(t.at, ex, ey, fits_small, limits.pattern);
-  const auto counts = [&](int n) HWY_ATTR {
-    return hn::And(covered.is_known, hn::Eq(covered.count, hn::Set(i, n)));
-  };
-  auto is_done = counts(0);
-  if (limits.finish_pixels) {
-    append_pixels(t, covered, counts(1), triangle, limits.pattern[0], out.pixels);
-    is_done = hn::Or(is_done, counts(1));
-  }
-  append(t, hn::AndNot(is_done, fits_small), triangle, out.small);
+  append_small(t, ex, ey, fits_small, triangle, limits, out);
   append(t, is_medium, triangle, out.medium);
 }
 
