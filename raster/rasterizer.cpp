@@ -52,6 +52,14 @@ int checked_tile_side(int side, int chosen) {
   return side;
 }
 
+/// Of a call's triangles: whole vectors of them, and enough ranges for all workers, since a few
+/// large triangles may touch every tile.
+std::uint64_t range_size(std::uint64_t triangles) {
+  constexpr std::uint64_t kRanges = 16, kVector = 8;
+  const std::uint64_t share = (triangles / kRanges + kVector - 1) / kVector * kVector;
+  return std::clamp<std::uint64_t>(share, kVector, TriangleRange::kMaxCount);
+}
+
 }  // namespace
 
 struct Rasterizer::Frame {
@@ -103,8 +111,9 @@ void Rasterizer::Frame::begin(RenderTarget& target, std::span<const DrawCall> dr
     if (id >= TileBuffer::kNothing) {
       throw Error(ErrorKind::kBadInput, "more than 4294967294 triangles in one frame");
     }
-    for (std::uint64_t first = 0; first < count; first += TriangleRange::kMaxCount) {
-      const std::uint64_t size = std::min<std::uint64_t>(count - first, TriangleRange::kMaxCount);
+    const std::uint64_t most = range_size(count);
+    for (std::uint64_t first = 0; first < count; first += most) {
+      const std::uint64_t size = std::min(count - first, most);
       ranges.push_back({call, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(size)});
     }
   }
