@@ -21,6 +21,7 @@ struct FrontEnd {
     cull_triangles(call, first, TriangleRange::kMaxCount, pattern, grid, true, *culled);
   }
   void bin(const DrawCall& call) {
+    bin_pixels(culled->pixels, 0, grid, bins);
     bin_small_triangles(culled->small, 0, grid, bins);
     bin_medium_triangles(culled->medium, 0, grid, bins);
     SnappedTriangle triangle;

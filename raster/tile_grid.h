@@ -14,7 +14,7 @@ struct TileGrid {
   int columns = 0, rows = 0;
   std::uint64_t per_column = 0, per_row = 0;  ///< 2^24 / side, rounded up
 
-  /// Within a tile of this size an edge that crosses it fits 32 bits (see kernels/spans.cpp).
+  /// Within a tile of this size an edge that crosses it fits 32 bits (kernels/tile_edges-inl.h).
   static constexpr int kMaxTile = 64;
 
   TileGrid() = default;

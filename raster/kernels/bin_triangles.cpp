@@ -117,7 +117,7 @@ HWY_INLINE TileEnds tile_ends(const CulledTriangles::Snapped& t, std::size_t k,
 template <typename Append>
 HWY_INLINE void for_each_tile(hn::Vec<I> tiles, hn::Mask<I> chosen, const Append& append) {
   const I i;
-  alignas(64) std::array<std::int32_t, 16> tile;
+  alignas(64) std::array<std::int32_t, hn::MaxLanes(I())> tile;
   hn::Store(tiles, i, tile.data());
   for (unsigned left = Packer<I>(chosen).bits(); left != 0;) {
     const std::int32_t at = tile[static_cast<std::size_t>(std::countr_zero(left))];

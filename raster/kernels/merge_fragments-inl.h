@@ -67,18 +67,23 @@ HWY_INLINE void merge_four(const FragmentBuffer& from, std::size_t k, std::size_
 #endif
 }
 
+/// A pixel of one sample. Written either way: a store costs less than a branch that nobody can
+/// predict.
+HWY_INLINE void test_pixel(float z, std::uint32_t id, std::size_t at, float* depth,
+                           std::uint32_t* shown) {
+  const float old_z = depth[at];
+  const std::uint32_t old_id = shown[at];
+  const bool wins = (z < old_z) | ((z == old_z) & (id < old_id));
+  depth[at] = wins ? z : old_z;
+  shown[at] = wins ? id : old_id;
+}
+
 /// Pixels of one sample.
 HWY_INLINE void merge_pixels(const FragmentBuffer& from, TileBuffer& tile) {
   float* const depth = tile.depth.data();
   std::uint32_t* const id = tile.id.data();
   for (std::size_t i = 0; i < from.size; ++i) {
-    const std::uint32_t place = from.pixel[i];
-    const float z = from.depth[0][i], old_z = depth[place];
-    const std::uint32_t triangle = from.id[i];
-    // Written either way: a store costs less than a branch that nobody can predict.
-    const bool wins = (z < old_z) | ((z == old_z) & (triangle < id[place]));
-    depth[place] = wins ? z : old_z;
-    id[place] = wins ? triangle : id[place];
+    test_pixel(from.depth[0][i], from.id[i], from.pixel[i], depth, id);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/merge_fragments-inl.h"
 #include "raster/kernels/prefetch-inl.h"
 #include "raster/kernels/tile_blocks-inl.h"
 
@@ -23,13 +24,8 @@ void DrawPixels(const ChunkList<PixelChunk>& pixels, std::span<const SampleOffse
                 y = static_cast<int>(chunk->place[i] >> 8);
       const int block = (y >> 3) * tile.block_columns + (x >> 3);
       if (!tile.is_stored(block)) store_block(block, parts, tile);
-      const auto at = static_cast<std::size_t>(y * tile.stride + x);
-      const float z = chunk->z[i], old_z = depth[at];
-      const std::uint32_t triangle = chunk->id[i];
-      // Written either way: a store costs less than a branch that nobody can predict.
-      const bool wins = (z < old_z) | ((z == old_z) & (triangle < id[at]));
-      depth[at] = wins ? z : old_z;
-      id[at] = wins ? triangle : id[at];
+      test_pixel(chunk->z[i], chunk->id[i], static_cast<std::size_t>(y * tile.stride + x), depth,
+                 id);
     }
   }
 }
