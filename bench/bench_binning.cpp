@@ -21,9 +21,10 @@ struct FrontEnd {
     cull_triangles(call, first, TriangleRange::kMaxCount, pattern, grid, true, *culled);
   }
   void bin(const DrawCall& call) {
+    const SampleLimits limits = sample_limits(pattern);
     bin_pixels(culled->pixels, 0, grid, bins);
-    bin_small_triangles(culled->small, 0, grid, bins);
-    bin_medium_triangles(culled->medium, 0, grid, bins);
+    bin_small_triangles(culled->small, 0, limits, grid, bins);
+    bin_medium_triangles(culled->medium, 0, limits, grid, bins);
     SnappedTriangle triangle;
     const PixelRect all{0, 0, grid.width, grid.height};
     for (int i = 0; i < culled->large_size; ++i) {

@@ -22,10 +22,12 @@ struct TriangleRecord {
 };
 static_assert(sizeof(TriangleRecord) <= 64);
 
-/// Small and medium triangles as structure of arrays, as CulledTriangles holds them.
+/// Small and medium triangles as structure of arrays.
 struct TriangleChunk {
   static constexpr std::size_t kCapacity = 32;
-  std::array<std::array<std::int32_t, kCapacity>, 3> x, y;
+  /// Each corner's raw Fixed24_8 from the tile's first pixel: y << 16 | x, both signed. They fit,
+  /// since a medium triangle reaches less than 32 pixels beyond a tile of at most 64.
+  std::array<std::array<std::uint32_t, kCapacity>, 3> xy;
   std::array<std::array<float, kCapacity>, 3> z;
   std::array<std::uint32_t, kCapacity> id;
   TriangleChunk* next;

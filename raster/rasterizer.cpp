@@ -137,8 +137,9 @@ void Rasterizer::Frame::bin_range(const TriangleRange& range, WorkerState& state
   }
   if (call.scissor) apply_scissor(clip, pattern, culled);
   bin_pixels(culled.pixels, first_id, grid, state.bins);
-  bin_small_triangles(culled.small, first_id, grid, state.bins);
-  bin_medium_triangles(culled.medium, first_id, grid, state.bins);
+  const SampleLimits limits = sample_limits(pattern);
+  bin_small_triangles(culled.small, first_id, limits, grid, state.bins);
+  bin_medium_triangles(culled.medium, first_id, limits, grid, state.bins);
   state.stats.drawn +=
       static_cast<std::uint64_t>(culled.pixels.size + culled.small.size + culled.medium.size);
   SnappedTriangle triangle;

@@ -1,6 +1,5 @@
 #include "raster/kernels/bin_triangles.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -11,111 +10,51 @@
 
 #include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/pack-inl.h"
+#include "raster/kernels/set_up-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::CappedTag<float, 8>;
-using I = hn::RebindToSigned<F>;
-using U = hn::RebindToUnsigned<F>;
-
-/// Tiles, half open.
-struct TileRange {
-  int column0, row0, column1, row1;
-};
-
-HWY_INLINE TileRange tiles_touched(const CulledTriangles::Snapped& t, std::size_t i,
-                                   const TileGrid& grid) {
-  const auto [x_min, x_max] = std::minmax({t.x[0][i], t.x[1][i], t.x[2][i]});
-  const auto [y_min, y_max] = std::minmax({t.y[0][i], t.y[1][i], t.y[2][i]});
-  return {grid.column_of(std::max(x_min >> 8, 0)), grid.row_of(std::max(y_min >> 8, 0)),
-          grid.column_of(std::min(x_max >> 8, grid.width - 1)) + 1,
-          grid.row_of(std::min(y_max >> 8, grid.height - 1)) + 1};
-}
-
-HWY_INLINE void append_one(const CulledTriangles::Snapped& from, std::size_t i,
-                           std::uint32_t first_id, TriangleChunk& chunk) {
-  const auto n = static_cast<std::size_t>(chunk.size++);
-  for (std::size_t v = 0; v < 3; ++v) {
-    chunk.x[v][n] = from.x[v][i];
-    chunk.y[v][n] = from.y[v][i];
-    chunk.z[v][n] = from.z[v][i];
-  }
-  chunk.id[n] = first_id + from.triangle[i];
-}
-
-/// Appends a triangle to each of the tiles.
-HWY_INLINE void append_to_all(const CulledTriangles::Snapped& from, std::size_t i,
-                              std::uint32_t first_id, const TileRange& tiles, const TileGrid& grid,
-                              std::vector<ChunkList<TriangleChunk>>& lists,
-                              ChunkPool<TriangleChunk>& pool) {
-  for (int row = tiles.row0; row < tiles.row1; ++row) {
-    for (int column = tiles.column0; column < tiles.column1; ++column) {
-      const auto tile = static_cast<std::size_t>(row * grid.columns + column);
-      append_one(from, i, first_id, lists[tile].tail(pool));
-    }
-  }
-}
-
-/// A vector of triangles of one tile.
-HWY_INLINE void append_packed(const CulledTriangles::Snapped& from, std::size_t k,
-                              const Packer<I>& pack, std::uint32_t first_id, TriangleChunk& chunk) {
-  const F f;
-  const I i;
-  const U u;
-  const auto n = static_cast<std::size_t>(chunk.size);
-  for (std::size_t v = 0; v < 3; ++v) {
-    pack.store(hn::LoadU(i, from.x[v].data() + k), chunk.x[v].data() + n);
-    pack.store(hn::LoadU(i, from.y[v].data() + k), chunk.y[v].data() + n);
-    pack.store(hn::LoadU(f, from.z[v].data() + k), chunk.z[v].data() + n);
-  }
-  const auto id = hn::Add(hn::LoadU(u, from.triangle.data() + k), hn::Set(u, first_id));
-  pack.store(id, chunk.id.data() + n);
-  chunk.size += static_cast<int>(pack.count());
-}
-
 /// Numbers of tiles along one axis: pixels over a side, which is a multiple of 8 and at most 64.
 /// Exact below 2^16 pixels.
 struct TilesAlong {
-  int end_px;
+  int end_px, side;
   std::int32_t per_eight;
-  TilesAlong(int end, int side) : end_px(end), per_eight((65536 + side / 8 - 1) / (side / 8)) {}
+  TilesAlong(int end, int tile_side)
+      : end_px(end),
+        side(tile_side),
+        per_eight((65536 + tile_side / 8 - 1) / (tile_side / 8)) {}
 
-  HWY_INLINE hn::Vec<I> of_pixel(hn::Vec<I> px) const {
+  HWY_INLINE VI of_pixel(VI px) const {
     return hn::ShiftRight<16>(hn::Mul(hn::ShiftRight<3>(px), hn::Set(I(), per_eight)));
   }
-  HWY_INLINE hn::Vec<I> of(hn::Vec<I> raw) const {
+  HWY_INLINE VI of_any_pixel(VI px) const {
     const I i;
-    return of_pixel(hn::Min(hn::Max(hn::ShiftRight<8>(raw), hn::Zero(i)), hn::Set(i, end_px - 1)));
+    return of_pixel(hn::Min(hn::Max(px, hn::Zero(i)), hn::Set(i, end_px - 1)));
   }
 };
 
-/// The tiles in which the boxes of several triangles begin and end.
+/// The tiles along one axis that triangles touch, from the first to the last.
 struct TileEnds {
-  hn::Vec<I> first, last;
+  VI first, last;
 };
 
-HWY_INLINE TileEnds tile_ends(const CulledTriangles::Snapped& t, std::size_t k,
-                              const TilesAlong& across, const TilesAlong& down, int columns) {
+/// Of boxes around three corners: the tiles with the first and the last pixel that may have a
+/// sample in the box.
+HWY_INLINE TileEnds tile_ends(const VI (&raw)[3], Fixed24_8 least_offset, Fixed24_8 most_offset,
+                              const TilesAlong& tiles) {
   const I i;
-  const auto corner = [&](const auto& corners, std::size_t v)
-                          HWY_ATTR { return hn::LoadU(i, corners[v].data() + k); };
-  const auto least = [&](const auto& c) HWY_ATTR {
-    return hn::Min(hn::Min(corner(c, 0), corner(c, 1)), corner(c, 2));
-  };
-  const auto most = [&](const auto& c) HWY_ATTR {
-    return hn::Max(hn::Max(corner(c, 0), corner(c, 1)), corner(c, 2));
-  };
-  const auto row = hn::Set(i, columns);
-  return {hn::Add(hn::Mul(down.of(least(t.y)), row), across.of(least(t.x))),
-          hn::Add(hn::Mul(down.of(most(t.y)), row), across.of(most(t.x)))};
+  const VI first = hn::Add(least(raw), hn::Set(i, 255 - most_offset.raw()));
+  const VI last = hn::Sub(most(raw), hn::Set(i, least_offset.raw()));
+  return {tiles.of_any_pixel(hn::ShiftRight<8>(first)),
+          tiles.of_any_pixel(hn::ShiftRight<8>(last))};
 }
 
 /// Calls append(pack, tile) for each tile that occurs among some lanes. Neighbours share tiles:
 /// most often that is one round, or two.
 template <typename Append>
-HWY_INLINE void for_each_tile(hn::Vec<I> tiles, hn::Mask<I> chosen, const Append& append) {
+HWY_INLINE void for_each_tile(VI tiles, hn::Mask<I> chosen, const Append& append) {
   const I i;
   alignas(64) std::array<std::int32_t, hn::MaxLanes(I())> tile;
   hn::Store(tiles, i, tile.data());
@@ -159,33 +98,112 @@ void BinPixels(const CulledTriangles::Pixels& pixels, std::uint32_t first_id, co
   }
 }
 
-void BinSmallTriangles(const CulledTriangles::Snapped& t, std::uint32_t first_id,
-                       const TileGrid& grid, Bins& bins) {
-  const I i;
-  const std::size_t lanes = hn::Lanes(i), size = static_cast<std::size_t>(t.size);
-  const TilesAlong across(grid.width, grid.tile_width), down(grid.height, grid.tile_height);
-  for (std::size_t k = 0; k < size; k += lanes) {
-    const TileEnds ends = tile_ends(t, k, across, down, grid.columns);
-    const auto within = first_lanes(i, size - k);
-    const auto is_one = hn::And(within, hn::Eq(ends.first, ends.last));
-    for_each_tile(ends.first, is_one, [&](const Packer<I>& pack, std::size_t tile) HWY_ATTR {
-      TriangleChunk& chunk = bins.small[tile].tail(bins.triangle_pool, static_cast<int>(lanes));
-      append_packed(t, k, pack, first_id, chunk);
-    });
-    for (unsigned left = Packer<I>(hn::AndNot(is_one, within)).bits(); left != 0;
-         left &= left - 1) {
-      const std::size_t at = k + static_cast<std::size_t>(std::countr_zero(left));
-      append_to_all(t, at, first_id, tiles_touched(t, at, grid), grid, bins.small_across,
-                    bins.triangle_pool);
+/// Several triangles on their way to the bins.
+struct Lanes {
+  Corners at;
+  VF z[3];
+  VU id;
+};
+
+HWY_INLINE Lanes load(const CulledTriangles::Snapped& t, std::size_t k, std::uint32_t first_id) {
+  Lanes lanes;
+  HWY_UNROLL(3)
+  for (std::size_t v = 0; v < 3; ++v) {
+    lanes.at.x[v] = hn::LoadU(I(), t.x[v].data() + k);
+    lanes.at.y[v] = hn::LoadU(I(), t.y[v].data() + k);
+    lanes.z[v] = hn::LoadU(F(), t.z[v].data() + k);
+  }
+  lanes.id = hn::Add(hn::LoadU(U(), t.triangle.data() + k), hn::Set(U(), first_id));
+  return lanes;
+}
+
+/// Appends each of the chosen triangles to a tile of its own.
+struct Binner {
+  const TilesAlong across, down;
+  int columns;
+  ChunkPool<TriangleChunk>& pool;
+
+  Binner(const TileGrid& grid, Bins& bins)
+      : across(grid.width, grid.tile_width),
+        down(grid.height, grid.tile_height),
+        columns(grid.columns),
+        pool(bins.triangle_pool) {}
+
+  HWY_INLINE void append(const Lanes& lanes, VI column, VI row, hn::Mask<I> chosen,
+                         std::vector<ChunkList<TriangleChunk>>& lists) const {
+    const I i;
+    const U u;
+    const VI x0 = hn::ShiftLeft<8>(hn::Mul(column, hn::Set(i, across.side)));
+    const VI y0 = hn::ShiftLeft<8>(hn::Mul(row, hn::Set(i, down.side)));
+    const VI low = hn::Set(i, 0xffff);
+    VU xy[3];
+    HWY_UNROLL(3)
+    for (std::size_t v = 0; v < 3; ++v) {
+      const VI x = hn::And(hn::Sub(lanes.at.x[v], x0), low);
+      xy[v] = hn::BitCast(u, hn::Or(hn::ShiftLeft<16>(hn::Sub(lanes.at.y[v], y0)), x));
     }
+    const VI tiles = hn::Add(hn::Mul(row, hn::Set(i, columns)), column);
+    for_each_tile(tiles, chosen, [&](const Packer<I>& pack, std::size_t tile) HWY_ATTR {
+      TriangleChunk& chunk = lists[tile].tail(pool, static_cast<int>(hn::Lanes(i)));
+      const auto n = static_cast<std::size_t>(chunk.size);
+      HWY_UNROLL(3)
+      for (std::size_t v = 0; v < 3; ++v) {
+        pack.store(xy[v], chunk.xy[v].data() + n);
+        pack.store(lanes.z[v], chunk.z[v].data() + n);
+      }
+      pack.store(lanes.id, chunk.id.data() + n);
+      chunk.size += static_cast<int>(pack.count());
+    });
+  }
+
+  /// To all tiles that the chosen triangles touch.
+  HWY_INLINE void append_to_all(const Lanes& lanes, const TileEnds& x, const TileEnds& y,
+                                hn::Mask<I> chosen,
+                                std::vector<ChunkList<TriangleChunk>>& lists) const {
+    const I i;
+    const VI one = hn::Set(i, 1);
+    VI row = y.first;
+    for (auto in_row = chosen; !hn::AllFalse(i, in_row);) {
+      VI column = x.first;
+      for (auto there = in_row; !hn::AllFalse(i, there);) {
+        append(lanes, column, row, there, lists);
+        column = hn::Add(column, one);
+        there = hn::AndNot(hn::Gt(column, x.last), there);
+      }
+      row = hn::Add(row, one);
+      in_row = hn::AndNot(hn::Gt(row, y.last), in_row);
+    }
+  }
+};
+
+/// @param within  for the triangles that touch one tile
+/// @param others  for those that touch more
+HWY_INLINE void bin_all(const CulledTriangles::Snapped& t, std::uint32_t first_id,
+                        const SampleLimits& limits, const TileGrid& grid, Bins& bins,
+                        std::vector<ChunkList<TriangleChunk>>& within,
+                        std::vector<ChunkList<TriangleChunk>>& others) {
+  const I i;
+  const auto size = static_cast<std::size_t>(t.size);
+  const Binner binner(grid, bins);
+  for (std::size_t k = 0; k < size; k += hn::Lanes(i)) {
+    const Lanes lanes = load(t, k, first_id);
+    const TileEnds x = tile_ends(lanes.at.x, limits.least_x, limits.most_x, binner.across);
+    const TileEnds y = tile_ends(lanes.at.y, limits.least_y, limits.most_y, binner.down);
+    const auto there = first_lanes(i, size - k);
+    const auto is_one = hn::And(hn::Eq(x.first, x.last), hn::Eq(y.first, y.last));
+    binner.append(lanes, x.first, y.first, hn::And(there, is_one), within);
+    binner.append_to_all(lanes, x, y, hn::AndNot(is_one, there), others);
   }
 }
 
+void BinSmallTriangles(const CulledTriangles::Snapped& t, std::uint32_t first_id,
+                       const SampleLimits& limits, const TileGrid& grid, Bins& bins) {
+  bin_all(t, first_id, limits, grid, bins, bins.small, bins.small_across);
+}
+
 void BinMediumTriangles(const CulledTriangles::Snapped& t, std::uint32_t first_id,
-                        const TileGrid& grid, Bins& bins) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(t.size); ++i) {
-    append_to_all(t, i, first_id, tiles_touched(t, i, grid), grid, bins.medium, bins.triangle_pool);
-  }
+                        const SampleLimits& limits, const TileGrid& grid, Bins& bins) {
+  bin_all(t, first_id, limits, grid, bins, bins.medium, bins.medium);
 }
 
 }  // namespace kinescope::HWY_NAMESPACE
@@ -204,13 +222,13 @@ void bin_pixels(const CulledTriangles::Pixels& pixels, std::uint32_t first_id, c
 }
 
 void bin_small_triangles(const CulledTriangles::Snapped& triangles, std::uint32_t first_id,
-                         const TileGrid& grid, Bins& bins) {
-  HWY_DYNAMIC_DISPATCH(BinSmallTriangles)(triangles, first_id, grid, bins);
+                         const SampleLimits& limits, const TileGrid& grid, Bins& bins) {
+  HWY_DYNAMIC_DISPATCH(BinSmallTriangles)(triangles, first_id, limits, grid, bins);
 }
 
 void bin_medium_triangles(const CulledTriangles::Snapped& triangles, std::uint32_t first_id,
-                          const TileGrid& grid, Bins& bins) {
-  HWY_DYNAMIC_DISPATCH(BinMediumTriangles)(triangles, first_id, grid, bins);
+                          const SampleLimits& limits, const TileGrid& grid, Bins& bins) {
+  HWY_DYNAMIC_DISPATCH(BinMediumTriangles)(triangles, first_id, limits, grid, bins);
 }
 
 }  // namespace kinescope

@@ -28,7 +28,7 @@ struct SetUp {
 HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, const PixelRect& rect, SetUp& out) {
   const F f;
   const I i;
-  const Corners c = load_corners(t, k);
+  const Corners c = load_corners(t, k, rect.x0, rect.y0);
   // The pixels that the box touches, whatever the samples' places in them.
   const VI box_x = hn::Max(hn::ShiftRight<8>(least(c.x)), hn::Set(i, rect.x0));
   const VI box_y = hn::Max(hn::ShiftRight<8>(least(c.y)), hn::Set(i, rect.y0));

@@ -20,6 +20,13 @@ HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The lanes whose bits are set, at most eight.
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of_bits(D d, std::uint8_t bits) {
+  const std::uint8_t bytes[8] = {bits};
+  return hn::LoadMaskBits(d, bytes);
+}
+
 /// Packs vectors of 32 bits a lane.
 template <class D>
 class Packer {
@@ -31,13 +38,11 @@ class Packer {
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(D(), chosen, bits);
     bits_ = bits[0];
-    count_ = static_cast<std::size_t>(std::popcount(bits[0] | unsigned{bits[1]} << 8));
-#if HWY_TARGET != HWY_SCALAR
-    if constexpr (!kHasCompress) {
-      const hn::Rebind<std::uint8_t, U> u8;
-      lanes_ = hn::PromoteTo(U(), hn::LoadU(u8, kChosenLanes[bits[0]].data()));
-    }
-#endif
+    find_lanes();
+  }
+  HWY_INLINE explicit Packer(std::uint8_t bits) : bits_(bits) {
+    if constexpr (kHasCompress) chosen_ = mask_of_bits(D(), bits);
+    find_lanes();
   }
 
   HWY_INLINE std::size_t count() const { return count_; }
@@ -61,6 +66,16 @@ class Packer {
   }
 
  private:
+  HWY_INLINE void find_lanes() {
+    count_ = static_cast<std::size_t>(std::popcount(bits_));
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (!kHasCompress) {
+      const hn::Rebind<std::uint8_t, U> u8;
+      lanes_ = hn::PromoteTo(U(), hn::LoadU(u8, kChosenLanes[bits_].data()));
+    }
+#endif
+  }
+
   hn::Mask<D> chosen_;
   std::size_t count_;
   std::uint8_t bits_;

@@ -11,6 +11,9 @@
 
 #include <cstddef>
 
+#include "raster/base/fixed.h"
+#include "raster/bins.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -27,14 +30,17 @@ struct Corners {
   VI x[3], y[3];
 };
 
-/// From structure of arrays, as TriangleChunk holds them.
-template <class Triangles>
-HWY_INLINE Corners load_corners(const Triangles& t, std::size_t k) {
+/// Of a tile's triangles [k, k + lanes).
+/// @param x0,y0  the tile's first pixel
+HWY_INLINE Corners load_corners(const TriangleChunk& t, std::size_t k, int x0, int y0) {
   const I i;
+  const VI tile_x = hn::Set(i, x0 * Fixed24_8::kOne), tile_y = hn::Set(i, y0 * Fixed24_8::kOne);
   Corners c;
+  HWY_UNROLL(3)
   for (std::size_t v = 0; v < 3; ++v) {
-    c.x[v] = hn::LoadU(i, t.x[v].data() + k);
-    c.y[v] = hn::LoadU(i, t.y[v].data() + k);
+    const VI xy = hn::BitCast(i, hn::LoadU(U(), t.xy[v].data() + k));
+    c.x[v] = hn::Add(hn::ShiftRight<16>(hn::ShiftLeft<16>(xy)), tile_x);
+    c.y[v] = hn::Add(hn::ShiftRight<16>(xy), tile_y);
   }
   return c;
 }
@@ -89,9 +95,8 @@ HWY_INLINE DepthPlanes depth_planes(const Corners& c, VF z0, VF z1, VF z2) {
           hn::Max(hn::Max(z0, z1), z2)};
 }
 
-/// Of triangles as load_corners takes them.
-template <class Triangles>
-HWY_INLINE DepthPlanes depth_planes(const Triangles& t, std::size_t k, const Corners& c) {
+/// Of a tile's triangles [k, k + lanes).
+HWY_INLINE DepthPlanes depth_planes(const TriangleChunk& t, std::size_t k, const Corners& c) {
   const F f;
   return depth_planes(c, hn::LoadU(f, t.z[0].data() + k), hn::LoadU(f, t.z[1].data() + k),
                       hn::LoadU(f, t.z[2].data() + k));

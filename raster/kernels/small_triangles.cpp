@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "raster/kernels/cull.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/kernels/small_triangles.cpp"
 #include <hwy/foreach_target.h>
@@ -16,156 +18,183 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
-/// Triangles to be drawn together, pixel by pixel of the largest box.
-struct Group {
-  Edge edge[3];  // E at the corner of the box's first pixel
-  VI x, y;       // first pixel of the box
-  DepthPlanes depth;
-  VU id;
-  int columns, rows;  // of the largest box
-  PixelRect box;      // of all
-};
 
-/// Triangles [k, k + lanes).
-HWY_INLINE Group set_up(const TriangleChunk& t, std::size_t k, const SampleLimits& limits) {
-  const I i;
-  const U u;
-  const Corners c = load_corners(t, k);
-  const auto first = [&](VI raw, Fixed24_8 offset) HWY_ATTR {
-    return hn::ShiftRight<8>(hn::Add(raw, hn::Set(i, 255 - offset.raw())));
-  };
-  const auto last = [&](VI raw, Fixed24_8 offset) HWY_ATTR {
-    return hn::ShiftRight<8>(hn::Sub(raw, hn::Set(i, offset.raw())));
-  };
-  Group g;
-  g.x = first(least(c.x), limits.most_x);
-  g.y = first(least(c.y), limits.most_y);
-  const VI columns = hn::Sub(last(most(c.x), limits.least_x), g.x);
-  const VI rows = hn::Sub(last(most(c.y), limits.least_y), g.y);
-  g.columns = hn::GetLane(hn::MaxOfLanes(i, columns)) + 1;
-  g.rows = hn::GetLane(hn::MaxOfLanes(i, rows)) + 1;
-  const VI corner_x = hn::ShiftLeft<8>(g.x), corner_y = hn::ShiftLeft<8>(g.y);
-  for (int e = 0; e < 3; ++e) g.edge[e] = edge_at(c, e, corner_x, corner_y);
-  g.depth = depth_planes(t, k, c);
-  g.id = hn::LoadU(u, t.id.data() + k);
-  const int x0 = hn::GetLane(hn::MinOfLanes(i, g.x)), y0 = hn::GetLane(hn::MinOfLanes(i, g.y));
-  g.box = {x0, y0, hn::GetLane(hn::MaxOfLanes(i, hn::Add(g.x, columns))) + 1,
-           hn::GetLane(hn::MaxOfLanes(i, hn::Add(g.y, rows))) + 1};
-  return g;
-}
+/// Steps along a box's side: a triangle below kSmallPx touches one pixel more than it is long, and
+/// with several samples another.
+constexpr int kMaxSteps = CulledTriangles::kSmallPx + 2;
 
-/// What one position of the group's boxes shows: in each lane a pixel of that lane's triangle.
+/// Triangles to be drawn together: step (c, r) looks at the pixel that lies so many columns and rows
+/// from the first of each triangle's box.
 template <int kSamples>
-struct Step {
-  hn::Mask<I> covered;  // any sample
-  VI x, y;
-  VF z[kSamples];  // if there are several, infinite where a sample is not covered
+struct Group {
+  VI edge[kSamples][3];  ///< E / 256 at each sample of the first pixel; only its sign counts
+  VI dx[3], dy[3];       ///< how much it rises a row, and falls a column
+  VI columns_left, rows_left;         ///< to the end of the tile
+  VF from_x[kSamples], from_y[kSamples];  ///< from the depth planes' anchor to each sample
+  VF z, dz_dx, dz_dy, nearest, farthest;
+  VU id, pixel;       ///< the first one's place in the tile
+  int columns, rows;  ///< of the largest box
+  PixelRect box;      ///< of all, within the tile
 };
 
-/// Edges of the group at one sample of the boxes' first pixels: E / 256, rounded down, keeps the
-/// sign, since pixels lie 256 raw units apart and a step by one adds whole numbers, -dy or dx.
-HWY_INLINE void edges_at(const Group& g, SampleOffset sample, VI (&out)[3]) {
-  const I i;
-  for (int e = 0; e < 3; ++e) {
-    const Edge& edge = g.edge[e];
-    const VI shift = hn::Sub(hn::Mul(edge.dx, hn::Set(i, sample.y.raw())),
-                             hn::Mul(edge.dy, hn::Set(i, sample.x.raw())));
-    out[e] = hn::ShiftRight<8>(hn::Add(edge.e, shift));
-  }
-}
-
-/// Calls sink(step) wherever a triangle of the group covers a sample of the tile.
-template <int kSamples, bool kWithin, typename Sink>
-HWY_INLINE void draw_group(const Group& g, std::span<const SampleOffset> pattern,
-                           const PixelRect& tile, const Sink& sink) {
+/// Triangles [k, k + lanes), as far as they lie in the tile.
+template <int kSamples>
+HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, std::span<const SampleOffset> pattern,
+                       const SampleLimits& limits, const TileBuffer& tile, Group<kSamples>& g) {
   const F f;
   const I i;
-  const VI minus_one = hn::Set(i, -1), one = hn::Set(i, 1);
-  const VF uncovered = hn::Set(f, std::numeric_limits<float>::infinity());
-  VI first[kSamples][3];
-  for (std::size_t s = 0; s < kSamples; ++s) edges_at(g, pattern[s], first[s]);
-  // Along the boxes: the first sample's edges, which all others differ from by constants.
-  VI row[3] = {first[0][0], first[0][1], first[0][2]};
-  for (std::size_t s = 1; s < kSamples; ++s) {
-    for (int e = 0; e < 3; ++e) first[s][e] = hn::Sub(first[s][e], row[e]);
-  }
-  Step<kSamples> step;
-  VF row_z[kSamples];
-  step.y = g.y;
-  for (int r = 0; r < g.rows; ++r) {
-    const VF y = hn::ConvertTo(f, step.y);
-    const VI row_outside =
-        hn::Or(hn::Sub(step.y, hn::Set(i, tile.y0)), hn::Sub(hn::Set(i, tile.y1 - 1), step.y));
+  const PixelRect& rect = tile.rect;
+  const Corners c = load_corners(t, k, rect.x0, rect.y0);
+  const auto first = [&](VI raw, Fixed24_8 offset, int bound) HWY_ATTR {
+    return hn::Max(hn::ShiftRight<8>(hn::Add(raw, hn::Set(i, 255 - offset.raw()))),
+                   hn::Set(i, bound));
+  };
+  const auto last = [&](VI raw, Fixed24_8 offset, int bound) HWY_ATTR {
+    return hn::Min(hn::ShiftRight<8>(hn::Sub(raw, hn::Set(i, offset.raw()))),
+                   hn::Set(i, bound - 1));
+  };
+  const VI x = first(least(c.x), limits.most_x, rect.x0);
+  const VI y = first(least(c.y), limits.most_y, rect.y0);
+  const VI last_x = last(most(c.x), limits.least_x, rect.x1);
+  const VI last_y = last(most(c.y), limits.least_y, rect.y1);
+  g.columns = hn::GetLane(hn::MaxOfLanes(i, hn::Sub(last_x, x))) + 1;
+  g.rows = hn::GetLane(hn::MaxOfLanes(i, hn::Sub(last_y, y))) + 1;
+  g.box = {hn::GetLane(hn::MinOfLanes(i, x)), hn::GetLane(hn::MinOfLanes(i, y)),
+           hn::GetLane(hn::MaxOfLanes(i, last_x)) + 1, hn::GetLane(hn::MaxOfLanes(i, last_y)) + 1};
+  g.columns_left = hn::Sub(hn::Set(i, rect.x1 - 1), x);
+  g.rows_left = hn::Sub(hn::Set(i, rect.y1 - 1), y);
+  const VI corner_x = hn::ShiftLeft<8>(x), corner_y = hn::ShiftLeft<8>(y);
+  HWY_UNROLL(3)
+  for (int e = 0; e < 3; ++e) {
+    const Edge edge = edge_at(c, e, corner_x, corner_y);
+    g.dx[e] = edge.dx;
+    g.dy[e] = edge.dy;
+    // E / 256, rounded down, keeps the sign, since pixels lie 256 raw units apart and a step by one
+    // adds whole numbers, -dy or dx.
     for (std::size_t s = 0; s < kSamples; ++s) {
-      const VF py = hn::Add(y, hn::Set(f, pattern[s].y.to_float()));
-      row_z[s] = hn::Add(g.depth.z, hn::Mul(g.depth.dz_dy, hn::Sub(py, g.depth.y_px)));
+      const VI shift = hn::Sub(hn::Mul(edge.dx, hn::Set(i, pattern[s].y.raw())),
+                               hn::Mul(edge.dy, hn::Set(i, pattern[s].x.raw())));
+      g.edge[s][e] = hn::ShiftRight<8>(hn::Add(edge.e, shift));
     }
-    VI e0 = row[0], e1 = row[1], e2 = row[2];
-    step.x = g.x;
-    for (int c = 0; c < g.columns; ++c) {
-      VI outside[kSamples];  // negative
-      outside[0] = hn::Or(hn::Or(e0, e1), e2);
-      VI everywhere = outside[0];
-      for (std::size_t s = 1; s < kSamples; ++s) {
-        outside[s] = hn::Or(hn::Or(hn::Add(e0, first[s][0]), hn::Add(e1, first[s][1])),
-                            hn::Add(e2, first[s][2]));
-        everywhere = hn::And(everywhere, outside[s]);
-      }
-      if (!kWithin) {
-        const VI column_outside =
-            hn::Or(hn::Sub(step.x, hn::Set(i, tile.x0)), hn::Sub(hn::Set(i, tile.x1 - 1), step.x));
-        everywhere = hn::Or(everywhere, hn::Or(row_outside, column_outside));
-      }
-      step.covered = hn::Gt(everywhere, minus_one);
-      if (!hn::AllFalse(i, step.covered)) {
-        const VF x = hn::ConvertTo(f, step.x);
-        for (std::size_t s = 0; s < kSamples; ++s) {
-          const VF px = hn::Add(x, hn::Set(f, pattern[s].x.to_float()));
-          const VF plane = hn::Add(row_z[s], hn::Mul(g.depth.dz_dx, hn::Sub(px, g.depth.x_px)));
-          const VF z = hn::Min(hn::Max(plane, g.depth.nearest), g.depth.farthest);
-          const auto is_covered = hn::RebindMask(f, hn::Gt(outside[s], minus_one));
-          step.z[s] = kSamples == 1 ? z : hn::IfThenElse(is_covered, z, uncovered);
-        }
-        sink(step);
-      }
-      e0 = hn::Sub(e0, g.edge[0].dy);
-      e1 = hn::Sub(e1, g.edge[1].dy);
-      e2 = hn::Sub(e2, g.edge[2].dy);
-      step.x = hn::Add(step.x, one);
-    }
-    for (int e = 0; e < 3; ++e) row[e] = hn::Add(row[e], g.edge[e].dx);
-    step.y = hn::Add(step.y, one);
   }
+  const DepthPlanes depth = depth_planes(t, k, c);
+  g.z = depth.z;
+  g.dz_dx = depth.dz_dx;
+  g.dz_dy = depth.dz_dy;
+  g.nearest = depth.nearest;
+  g.farthest = depth.farthest;
+  const VF x_px = hn::ConvertTo(f, x), y_px = hn::ConvertTo(f, y);
+  for (std::size_t s = 0; s < kSamples; ++s) {
+    g.from_x[s] = hn::Sub(hn::Add(x_px, hn::Set(f, pattern[s].x.to_float())), depth.x_px);
+    g.from_y[s] = hn::Sub(hn::Add(y_px, hn::Set(f, pattern[s].y.to_float())), depth.y_px);
+  }
+  g.id = hn::LoadU(U(), t.id.data() + k);
+  const VI base = hn::Set(i, -rect.y0 * tile.stride - rect.x0);
+  g.pixel = hn::BitCast(U(), hn::Add(hn::Add(hn::Mul(y, hn::Set(i, tile.stride)), x), base));
 }
 
-/// Appends the covered lanes, which are no more than there is room for.
+/// The steps of a group in which some triangle covers a sample.
 template <int kSamples>
-HWY_INLINE void append(const Step<kSamples>& step, const TileBuffer& tile, VU id,
-                       FragmentBuffer& to) {
+struct Hits {
+  static constexpr std::size_t kCapacity = kMaxSteps * kMaxSteps + 1;
+  struct Hit {
+    std::uint8_t column, row;
+    std::uint8_t any;                             ///< a bit for each triangle that covers a sample
+    std::array<std::uint8_t, kSamples> covered;  ///< and of each sample
+  };
+  std::array<Hit, kCapacity> hit;
+  std::size_t size;
+};
+
+/// The lanes that are not negative, a bit each.
+HWY_INLINE std::uint8_t bits_where_covered(VI outside) {
   const I i;
-  const Packer<I> pack(step.covered);
-  const VI base = hn::Set(i, -tile.rect.y0 * tile.stride - tile.rect.x0);
-  const VI pixel = hn::Add(hn::Add(hn::Mul(step.y, hn::Set(i, tile.stride)), step.x), base);
-  pack.store(hn::BitCast(U(), pixel), to.pixel.data() + to.size);
-  pack.store(id, to.id.data() + to.size);
-  for (std::size_t s = 0; s < kSamples; ++s) pack.store(step.z[s], to.depth[s].data() + to.size);
-  to.size += pack.count();
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(i, hn::Gt(outside, hn::Set(i, -1)), bits);
+  return bits[0];
 }
 
-/// Those of a group that touch the tile.
+/// Looks at every step, and keeps those that cover something. No branch asks which: nobody can
+/// predict it.
+/// @param kWithin  all triangles lie within the tile
 template <int kSamples, bool kWithin>
-HWY_INLINE void draw_in_tile(const Group& g, std::span<const SampleOffset> pattern,
-                             const LaneParts<kSamples>& parts, TileBuffer& tile,
-                             FragmentBuffer& buffer) {
-  const PixelRect& r = tile.rect;
-  const PixelRect box = {std::max(g.box.x0, r.x0), std::max(g.box.y0, r.y0),
-                         std::min(g.box.x1, r.x1), std::min(g.box.y1, r.y1)};
-  if (box.empty()) return;
-  store_blocks(blocks_touched(box, tile), parts, tile);
-  draw_group<kSamples, kWithin>(g, pattern, r, [&](const Step<kSamples>& step) HWY_ATTR {
-    append(step, tile, g.id, buffer);
-    if (buffer.size + 8 > FragmentBuffer::kCapacity) merge_fragments<kSamples>(buffer, tile);
-  });
+HWY_INLINE void find_hits(const Group<kSamples>& g, Hits<kSamples>& hits) {
+  const I i;
+  const VI one = hn::Set(i, 1);
+  // Along the box: the first sample's edges, which all others differ from by constants.
+  VI row[3] = {g.edge[0][0], g.edge[0][1], g.edge[0][2]}, others[kSamples][3];
+  for (std::size_t s = 1; s < kSamples; ++s) {
+    HWY_UNROLL(3)
+    for (int e = 0; e < 3; ++e) others[s][e] = hn::Sub(g.edge[s][e], row[e]);
+  }
+  VI rows_left = g.rows_left;
+  std::size_t n = 0;
+  for (int r = 0; r < g.rows; ++r) {
+    VI e0 = row[0], e1 = row[1], e2 = row[2], columns_left = g.columns_left;
+    for (int c = 0; c < g.columns; ++c) {
+      VI beyond = hn::Zero(i);
+      if (!kWithin) beyond = hn::Or(rows_left, columns_left);
+      const VI outside = hn::Or(hn::Or(e0, e1), kWithin ? e2 : hn::Or(e2, beyond));
+      VI everywhere = outside;
+      auto& hit = hits.hit[n];
+      hit.column = static_cast<std::uint8_t>(c);
+      hit.row = static_cast<std::uint8_t>(r);
+      if constexpr (kSamples > 1) {
+        hit.covered[0] = bits_where_covered(outside);
+        for (std::size_t s = 1; s < kSamples; ++s) {
+          VI at = hn::Or(hn::Or(hn::Add(e0, others[s][0]), hn::Add(e1, others[s][1])),
+                         hn::Add(e2, others[s][2]));
+          if (!kWithin) at = hn::Or(at, beyond);
+          everywhere = hn::And(everywhere, at);
+          hit.covered[s] = bits_where_covered(at);
+        }
+      }
+      hit.any = bits_where_covered(everywhere);
+      n += hit.any != 0 ? 1 : 0;
+      e0 = hn::Sub(e0, g.dy[0]);
+      e1 = hn::Sub(e1, g.dy[1]);
+      e2 = hn::Sub(e2, g.dy[2]);
+      if (!kWithin) columns_left = hn::Sub(columns_left, one);
+    }
+    HWY_UNROLL(3)
+    for (int e = 0; e < 3; ++e) row[e] = hn::Add(row[e], g.dx[e]);
+    if (!kWithin) rows_left = hn::Sub(rows_left, one);
+  }
+  hits.size = n;
+}
+
+/// Steps as numbers to add to a place: exact, since places are small multiples of 1/256.
+constexpr auto kSteps = [] {
+  std::array<float, kMaxSteps> steps{};
+  for (std::size_t n = 0; n < steps.size(); ++n) steps[n] = static_cast<float>(n);
+  return steps;
+}();
+
+/// Appends the fragments of all hits, for which there is room.
+template <int kSamples>
+HWY_INLINE void append(const Group<kSamples>& g, const Hits<kSamples>& hits, int stride,
+                       FragmentBuffer& to) {
+  const F f;
+  const VF uncovered = hn::Set(f, std::numeric_limits<float>::infinity());
+  std::size_t n = to.size;
+  for (std::size_t h = 0; h < hits.size; ++h) {
+    const auto& hit = hits.hit[h];
+    const Packer<I> pack(hit.any);
+    const auto pixel = static_cast<std::uint32_t>(hit.row * stride + hit.column);
+    pack.store(hn::Add(g.pixel, hn::Set(U(), pixel)), to.pixel.data() + n);
+    pack.store(g.id, to.id.data() + n);
+    const VF column = hn::Set(f, kSteps[hit.column]), row = hn::Set(f, kSteps[hit.row]);
+    for (std::size_t s = 0; s < kSamples; ++s) {
+      // DepthPlane::at, with its roundings.
+      const VF row_z = hn::Add(g.z, hn::Mul(g.dz_dy, hn::Add(g.from_y[s], row)));
+      const VF plane = hn::Add(row_z, hn::Mul(g.dz_dx, hn::Add(g.from_x[s], column)));
+      VF z = hn::Min(hn::Max(plane, g.nearest), g.farthest);
+      if (kSamples > 1) z = hn::IfThenElse(mask_of_bits(f, hit.covered[s]), z, uncovered);
+      pack.store(z, to.depth[s].data() + n);
+    }
+    n += pack.count();
+  }
+  to.size = n;
 }
 
 /// Fills the chunk's last vector up with points: they cover nothing, and lie near the others.
@@ -176,8 +205,7 @@ HWY_INLINE void pad(const TriangleChunk& from, std::size_t k, std::size_t lanes,
     const std::size_t i = std::min(k + n, size - 1);
     for (std::size_t v = 0; v < 3; ++v) {
       const std::size_t corner = k + n < size ? v : 0;
-      to.x[v][n] = from.x[corner][i];
-      to.y[v][n] = from.y[corner][i];
+      to.xy[v][n] = from.xy[corner][i];
       to.z[v][n] = from.z[corner][i];
     }
     to.id[n] = from.id[i];
@@ -192,14 +220,22 @@ HWY_INLINE void draw_all(const ChunkList<TriangleChunk>& triangles,
   const LaneParts<kSamples> parts(pattern);
   const SampleLimits limits = sample_limits(pattern);
   TriangleChunk last;
+  Group<kSamples> group;
+  Hits<kSamples> hits;
   for (const TriangleChunk* chunk = triangles.first; chunk != nullptr; chunk = chunk->next) {
     const auto size = static_cast<std::size_t>(chunk->size);
     for (std::size_t k = 0; k < size; k += lanes) {
       const bool whole = k + lanes <= size;
       if (!whole) pad(*chunk, k, lanes, last);
       prefetch(chunk->next, k / lanes, TriangleChunk::kCapacity / lanes);
-      const Group g = whole ? set_up(*chunk, k, limits) : set_up(last, 0, limits);
-      draw_in_tile<kSamples, kWithin>(g, pattern, parts, tile, buffer);
+      set_up(whole ? *chunk : last, whole ? k : 0, pattern, limits, tile, group);
+      if (group.box.empty()) continue;
+      find_hits<kSamples, kWithin>(group, hits);
+      store_blocks(blocks_touched(group.box, tile), parts, tile);
+      if (buffer.size + lanes * (hits.size + 1) > FragmentBuffer::kCapacity) {
+        merge_fragments<kSamples>(buffer, tile);
+      }
+      append(group, hits, tile.stride, buffer);
     }
   }
   merge_fragments<kSamples>(buffer, tile);
