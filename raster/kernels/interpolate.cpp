@@ -1,5 +1,6 @@
 #include "raster/kernels/interpolate.h"
 
+#include <algorithm>
 #include <bit>
 
 #undef HWY_TARGET_INCLUDE
@@ -7,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/pack-inl.h"
 #include "raster/kernels/weight_planes-inl.h"
 #include "raster/tile.h"
@@ -105,23 +107,52 @@ HWY_INLINE std::size_t find_runs(std::size_t size, BatchStorage& batch) {
   return static_cast<std::size_t>(run) + 1;
 }
 
-/// Rows of a block, and blocks, meet the same triangles again and again: a run whose triangle had
-/// one before joins it. @return how many runs are left
-HWY_INLINE std::size_t join_runs(const DrawCall& call, std::size_t runs, WeightPlanes& p) {
-  std::uint32_t count = 0;
-  for (std::size_t r = 0; r < runs; ++r) {
+/// Rows of a block, and blocks, meet the same triangles again and again: a run of [first, end) whose
+/// triangle had one before joins it.
+/// @param count  runs left of those before. @return runs left of all
+HWY_INLINE std::size_t join_runs(const DrawCall& call, std::size_t first, std::size_t end,
+                                 std::size_t count, WeightPlanes& p) {
+  for (std::size_t r = first; r < end; ++r) {
     const std::uint32_t triangle = p.triangle[r];
     hwy::Prefetch(call.indices.data() + std::size_t{3} * triangle);
     std::uint16_t& place = p.place[triangle % p.place.size()];
     const bool is_new = place >= count || p.triangle[place] != triangle;
     // No branch: nobody can predict which triangle comes next.
-    const std::uint32_t at = is_new ? count : place;
+    const std::size_t at = is_new ? count : place;
     p.triangle[at] = triangle;
     place = static_cast<std::uint16_t>(at);
     p.joined[r] = static_cast<std::int32_t>(at);
     count += is_new ? 1 : 0;
   }
   return count;
+}
+
+/// Runs [first, end) as they are, behind `count` others. @return runs left of all
+HWY_INLINE std::size_t keep_runs(const DrawCall& call, std::size_t first, std::size_t end,
+                                 std::size_t count, WeightPlanes& p) {
+  const I i;
+  const U u;
+  const std::size_t lanes = hn::Lanes(i);
+  for (std::size_t r = first; r < end; ++r) {
+    hwy::Prefetch(call.indices.data() + std::size_t{3} * p.triangle[r]);
+  }
+  for (std::size_t r = first; r < end; r += lanes) {
+    const std::size_t at = count + r - first;
+    hn::StoreU(hn::LoadU(u, p.triangle.data() + r), u, p.triangle.data() + at);
+    hn::StoreU(lanes_from(i, static_cast<std::int32_t>(at)), i, p.joined.data() + r);
+  }
+  return count + end - first;
+}
+
+/// The triangles to set up for a batch. @return how many
+HWY_INLINE std::size_t find_triangles(const DrawCall& call, std::size_t size, BatchStorage& batch) {
+  constexpr std::size_t kTried = 32, kFew = kTried / 4;
+  WeightPlanes& p = batch.planes;
+  const std::size_t runs = find_runs(size, batch), tried = std::min(runs, kTried);
+  const std::size_t count = join_runs(call, 0, tried, 0, p);
+  // Triangles of a pixel or two come again so seldom that to look for them costs more.
+  return count + kFew > tried ? keep_runs(call, tried, runs, count, p)
+                              : join_runs(call, tried, runs, count, p);
 }
 
 /// A vector of fragments of several runs.
@@ -166,10 +197,8 @@ HWY_INLINE void interpolate_all(const DrawCall& call, const AttributeList& list,
 void Interpolate(const DrawCall& call, int size, BatchStorage& batch) {
   const AttributeList list(call);
   if (list.count == 0 && call.cull != CullMode::kNone) return;
-  WeightPlanes& p = batch.planes;
   const auto end = static_cast<std::size_t>(size);
-  const std::size_t triangles = join_runs(call, find_runs(end, batch), p);
-  set_up_triangles(call, list, 0, triangles, p);
+  set_up_triangles(call, 0, find_triangles(call, end, batch), batch.planes);
   interpolate_all(call, list, end, batch);
 }
 

@@ -167,7 +167,7 @@ HWY_INLINE void write_places(const BlockBatch::Block& block, std::size_t at, Bat
 void InterpolateBlocks(const DrawCall& call, const BlockBatch& blocks, BatchStorage& batch) {
   const AttributeList list(call);
   if (blocks.ready < blocks.triangles) {
-    set_up_triangles(call, list, blocks.ready, blocks.triangles, batch.planes);
+    set_up_triangles(call, blocks.ready, blocks.triangles, batch.planes);
   }
   Share share;
   std::size_t next = 0;

@@ -59,6 +59,7 @@ HWY_INLINE void set_planes(const DrawCall& call, std::size_t k, WeightPlanes& p)
   const V raw = hn::Set(f, 256.0f), to_px = hn::Set(f, 1.0f / 256.0f);
   hn::Vec<I> x[3], y[3];
   V inv_w[3];
+  HWY_UNROLL(3)
   for (std::size_t v = 0; v < 3; ++v) {
     const auto vertex = load_vertices(f, call.vertices.data(), p.vertex[v].data() + k, 1);
     x[v] = hn::NearestInt(hn::Mul(vertex.a, raw));
@@ -106,44 +107,38 @@ struct AttributeList {
   std::array<std::size_t, Batch::kMaxAttributes> index;
 };
 
-/// One corner's rows of attributes of runs [k, k + lanes), turned into planes: to[a][k + lane].
-HWY_INLINE void transpose_rows(const DrawCall& call, std::size_t v, std::size_t k,
-                               WeightPlanes& p) {
-  const auto count = static_cast<std::size_t>(call.attribute_count);
-  if (count == 0) return;
+/// Attributes of runs [k, k + lanes) at the first corner, and their rise to the other two.
+HWY_INLINE void set_attributes(const DrawCall& call, std::size_t k, WeightPlanes& p) {
   const F f;
-  const std::size_t lanes = hn::Lanes(f);
+  const auto count = static_cast<std::size_t>(call.attribute_count);
   const auto stride = static_cast<std::size_t>(call.attribute_stride);
-  const float* row[8];
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    row[lane] = call.attributes.data() + p.vertex[v][k + lane] * stride;
-  }
-  WeightPlanes::Attributes& to = p.attribute[v];
+  const std::uint32_t wanted = attributes_of(call);
+  const auto store = [&](std::size_t a, hn::Vec<F> base, hn::Vec<F> second, hn::Vec<F> third)
+                         HWY_ATTR {
+    hn::StoreU(base, f, p.attribute[0][a].data() + k);
+    hn::StoreU(hn::Sub(second, base), f, p.attribute[1][a].data() + k);
+    hn::StoreU(hn::Sub(third, base), f, p.attribute[2][a].data() + k);
+  };
   std::size_t a = 0;
   for (; a < count && a + 4 <= stride; a += 4) {
-    if ((attributes_of(call) >> a & 15) == 0) continue;
-    const auto four = load_fours(f, [&](std::size_t lane) { return row[lane] + a; });
-    hn::StoreU(four.a, f, to[a].data() + k);
-    hn::StoreU(four.b, f, to[a + 1].data() + k);
-    hn::StoreU(four.c, f, to[a + 2].data() + k);
-    hn::StoreU(four.d, f, to[a + 3].data() + k);
+    if ((wanted >> a & 15) == 0) continue;
+    const float* const column = call.attributes.data() + a;
+    const auto four = [&](std::size_t v) HWY_ATTR {
+      const std::uint32_t* const vertex = p.vertex[v].data() + k;
+      return load_fours(f, [&](std::size_t lane) { return column + vertex[lane] * stride; });
+    };
+    const auto base = four(0), second = four(1), third = four(2);
+    store(a, base.a, second.a, third.a);
+    store(a + 1, base.b, second.b, third.b);
+    store(a + 2, base.c, second.c, third.c);
+    if ((wanted >> a & 8) != 0) store(a + 3, base.d, second.d, third.d);
   }
   for (; a < count; ++a) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) to[a][k + lane] = row[lane][a];
-  }
-}
-
-/// Attributes of runs [k, k + lanes) at the first corner, and their rise to the other two.
-HWY_INLINE void set_attributes(const DrawCall& call, const AttributeList& list, std::size_t k,
-                               WeightPlanes& p) {
-  const F f;
-  for (std::size_t v = 0; v < 3; ++v) transpose_rows(call, v, k, p);
-  for (std::size_t n = 0; n < list.count; ++n) {
-    const std::size_t a = list.index[n];
-    const auto base = hn::LoadU(f, p.attribute[0][a].data() + k);
-    for (std::size_t v = 1; v < 3; ++v) {
-      float* const at = p.attribute[v][a].data() + k;
-      hn::StoreU(hn::Sub(hn::LoadU(f, at), base), f, at);
+    for (std::size_t lane = 0; lane < hn::Lanes(f); ++lane) {
+      const auto at = [&](std::size_t v) { return call.attributes[p.vertex[v][k + lane] * stride + a]; };
+      p.attribute[0][a][k + lane] = at(0);
+      p.attribute[1][a][k + lane] = at(1) - at(0);
+      p.attribute[2][a][k + lane] = at(2) - at(0);
     }
   }
 }
@@ -169,37 +164,42 @@ HWY_INLINE void set_gradients(const DrawCall& call, std::size_t k, WeightPlanes&
 
 /// Looks up the vertices of p.triangle[first, end), and asks for what will be read of them: where
 /// triangles are tiny, waiting for memory would be the greatest part of the cost.
+template <bool kWithRows>
 HWY_INLINE void find_vertices(const DrawCall& call, std::size_t first, std::size_t end,
                               WeightPlanes& p) {
-  constexpr std::size_t kAhead = 16;
-  const std::uint32_t attributes = attributes_of(call);
+  const DeviceVertex* const vertices = call.vertices.data();
+  const float* const rows = call.attributes.data();
   const auto stride = static_cast<std::size_t>(call.attribute_stride);
-  const auto corners = [&](std::size_t t) {
-    return call.indices.data() + std::size_t{3} * p.triangle[t];
-  };
-  for (std::size_t t = first; t < std::min(end, first + kAhead); ++t) hwy::Prefetch(corners(t));
   for (std::size_t t = first; t < end; ++t) {
-    if (t + kAhead < end) hwy::Prefetch(corners(t + kAhead));
-    const std::uint32_t* const corner = corners(t);
-    for (std::size_t v = 0; v < 3; ++v) {
-      const std::size_t vertex = corner[v];
-      p.vertex[v][t] = corner[v];
-      hwy::Prefetch(call.vertices.data() + vertex);
-      if (attributes != 0) hwy::Prefetch(call.attributes.data() + vertex * stride);
-    }
+    const std::uint32_t* const corner = call.indices.data() + std::size_t{3} * p.triangle[t];
+    const std::size_t a = corner[0], b = corner[1], c = corner[2];
+    p.vertex[0][t] = corner[0];
+    p.vertex[1][t] = corner[1];
+    p.vertex[2][t] = corner[2];
+    hwy::Prefetch(vertices + a);
+    hwy::Prefetch(vertices + b);
+    hwy::Prefetch(vertices + c);
+    if (!kWithRows) continue;
+    hwy::Prefetch(rows + a * stride);
+    hwy::Prefetch(rows + b * stride);
+    hwy::Prefetch(rows + c * stride);
   }
 }
 
 /// Sets up the planes of p.triangle[first, end); those of some entries beyond are overwritten.
-HWY_INLINE void set_up_triangles(const DrawCall& call, const AttributeList& list, std::size_t first,
-                                 std::size_t end, WeightPlanes& p) {
+HWY_INLINE void set_up_triangles(const DrawCall& call, std::size_t first, std::size_t end,
+                                 WeightPlanes& p) {
   const std::size_t lanes = hn::Lanes(F());
-  find_vertices(call, first, end, p);
+  if (attributes_of(call) != 0) {
+    find_vertices<true>(call, first, end, p);
+  } else {
+    find_vertices<false>(call, first, end, p);
+  }
   // Whole vectors of vertices that exist.
   for (auto& vertex : p.vertex) std::fill_n(vertex.begin() + end, lanes - 1, vertex[first]);
   for (std::size_t k = first; k < end; k += lanes) {
     set_planes(call, k, p);
-    set_attributes(call, list, k, p);
+    set_attributes(call, k, p);
     if (call.texcoord_attribute >= 0) set_gradients(call, k, p);
   }
 }
