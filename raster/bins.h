@@ -65,6 +65,14 @@ class ChunkPool {
     chunk->size = 0;
     return chunk;
   }
+  /// Asks for the memory of the chunk that will be taken next: of a mesh's stream of triangles, most
+  /// of the cost of binning is to wait for it.
+  void prefetch_next() const {
+    if (used_ == blocks_.size() * kBlock) return;
+    const auto* const next =
+        reinterpret_cast<const std::byte*>(&blocks_[used_ / kBlock][used_ % kBlock]);
+    for (std::size_t n = 0; n < sizeof(Chunk); n += 64) __builtin_prefetch(next + n, 1);
+  }
   void take_all_back() { used_ = 0; }
 
  private:
@@ -89,6 +97,7 @@ struct ChunkList {
  private:
   [[gnu::noinline]] void grow(ChunkPool<Chunk>& pool) {
     Chunk* const chunk = pool.take();
+    if (last != nullptr) pool.prefetch_next();
     (last == nullptr ? first : last->next) = chunk;
     last = chunk;
   }
