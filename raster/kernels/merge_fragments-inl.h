@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -67,15 +68,16 @@ HWY_INLINE void merge_four(const FragmentBuffer& from, std::size_t k, std::size_
 #endif
 }
 
-/// A pixel of one sample. Written either way: a store costs less than a branch that nobody can
-/// predict.
+/// A pixel of one sample. Depths are not negative, so that their bits compare as they do; written
+/// either way, since a store costs less than a branch that nobody can predict.
 HWY_INLINE void test_pixel(float z, std::uint32_t id, std::size_t at, float* depth,
                            std::uint32_t* shown) {
-  const float old_z = depth[at];
-  const std::uint32_t old_id = shown[at];
-  const bool wins = (z < old_z) | ((z == old_z) & (id < old_id));
-  depth[at] = wins ? z : old_z;
-  shown[at] = wins ? id : old_id;
+  const auto key = [](float of, std::uint32_t triangle) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(of)} << 32 | triangle;
+  };
+  const std::uint64_t least = std::min(key(z, id), key(depth[at], shown[at]));
+  depth[at] = std::bit_cast<float>(static_cast<std::uint32_t>(least >> 32));
+  shown[at] = static_cast<std::uint32_t>(least);
 }
 
 /// Pixels of one sample.

@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/merge_fragments-inl.h"
 #include "raster/kernels/pack-inl.h"
 #include "raster/kernels/prefetch-inl.h"
@@ -37,14 +38,27 @@ struct Group {
   PixelRect box;      ///< of all, within the tile
 };
 
-/// Triangles [k, k + lanes), as far as they lie in the tile.
+/// Lanes beyond the first `count` become points: they cover nothing, and lie near the others.
+HWY_INLINE void make_points_beyond(std::size_t count, Corners& c) {
+  const I i;
+  const auto there = first_lanes(i, count);
+  const VI x = hn::Set(i, hn::GetLane(c.x[0])), y = hn::Set(i, hn::GetLane(c.y[0]));
+  for (int v = 0; v < 3; ++v) {
+    c.x[v] = hn::IfThenElse(there, c.x[v], x);
+    c.y[v] = hn::IfThenElse(there, c.y[v], y);
+  }
+}
+
+/// Triangles [k, k + lanes) of a chunk, as far as they are there and lie in the tile.
 template <int kSamples>
 HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, std::span<const SampleOffset> pattern,
                        const SampleLimits& limits, const TileBuffer& tile, Group<kSamples>& g) {
   const F f;
   const I i;
   const PixelRect& rect = tile.rect;
-  const Corners c = load_corners(t, k, rect.x0, rect.y0);
+  Corners c = load_corners(t, k, rect.x0, rect.y0);
+  const std::size_t count = static_cast<std::size_t>(t.size) - k;
+  if (count < hn::Lanes(i)) make_points_beyond(count, c);
   const auto first = [&](VI raw, Fixed24_8 offset, int bound) HWY_ATTR {
     return hn::Max(hn::ShiftRight<8>(hn::Add(raw, hn::Set(i, 255 - offset.raw()))),
                    hn::Set(i, bound));
@@ -197,21 +211,6 @@ HWY_INLINE void append(const Group<kSamples>& g, const Hits<kSamples>& hits, int
   to.size = n;
 }
 
-/// Fills the chunk's last vector up with points: they cover nothing, and lie near the others.
-HWY_INLINE void pad(const TriangleChunk& from, std::size_t k, std::size_t lanes,
-                    TriangleChunk& to) {
-  const auto size = static_cast<std::size_t>(from.size);
-  for (std::size_t n = 0; n < lanes; ++n) {
-    const std::size_t i = std::min(k + n, size - 1);
-    for (std::size_t v = 0; v < 3; ++v) {
-      const std::size_t corner = k + n < size ? v : 0;
-      to.xy[v][n] = from.xy[corner][i];
-      to.z[v][n] = from.z[corner][i];
-    }
-    to.id[n] = from.id[i];
-  }
-}
-
 template <int kSamples, bool kWithin>
 HWY_INLINE void draw_all(const ChunkList<TriangleChunk>& triangles,
                          std::span<const SampleOffset> pattern, TileBuffer& tile,
@@ -219,16 +218,13 @@ HWY_INLINE void draw_all(const ChunkList<TriangleChunk>& triangles,
   const std::size_t lanes = hn::Lanes(F());
   const LaneParts<kSamples> parts(pattern);
   const SampleLimits limits = sample_limits(pattern);
-  TriangleChunk last;
   Group<kSamples> group;
   Hits<kSamples> hits;
   for (const TriangleChunk* chunk = triangles.first; chunk != nullptr; chunk = chunk->next) {
     const auto size = static_cast<std::size_t>(chunk->size);
     for (std::size_t k = 0; k < size; k += lanes) {
-      const bool whole = k + lanes <= size;
-      if (!whole) pad(*chunk, k, lanes, last);
       prefetch(chunk->next, k / lanes, TriangleChunk::kCapacity / lanes);
-      set_up(whole ? *chunk : last, whole ? k : 0, pattern, limits, tile, group);
+      set_up(*chunk, k, pattern, limits, tile, group);
       if (group.box.empty()) continue;
       find_hits<kSamples, kWithin>(group, hits);
       store_blocks(blocks_touched(group.box, tile), parts, tile);

@@ -13,7 +13,8 @@ namespace kinescope {
 
 /// Fragments of pixels of a tile, one a pixel and triangle, on their way to the depth test.
 struct FragmentBuffer {
-  static constexpr std::size_t kCapacity = 1024;
+  /// Not a power of two, lest its arrays compete for the same lines of a cache.
+  static constexpr std::size_t kCapacity = 1024 + 16;
   alignas(64) std::array<std::uint32_t, kCapacity> pixel;  ///< row * tile_width + column
   alignas(64) std::array<std::uint32_t, kCapacity> id;
   /// Of each sample; if there are several, infinite where the triangle does not cover one.
