@@ -93,7 +93,7 @@ void light_rows(benchmark::State& state) {
   surface.eye = {0.0f, 0.0f, 3.0f};
   constexpr std::size_t kVertices = 4096;
   std::vector<float> rows(kVertices * vertex_row::kStride, 0.6f);
-  std::vector<float> lit(kVertices * lit_row::kStride);
+  std::vector<float> lit(kVertices * lit_row::kMaxSize);
   for (auto _ : state) {
     light_vertices(surface, rows, lit);
     benchmark::ClobberMemory();

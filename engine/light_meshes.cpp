@@ -38,14 +38,16 @@ void light_triangles(const MeshBatch& batch) {
   const auto stride = static_cast<std::size_t>(world.row_stride);
   const std::size_t count = batch.end - batch.begin;
   alignas(64) std::array<float, kBatchTriangles * vertex_row::kStrideWithColour> rows;
-  alignas(64) std::array<float, kBatchTriangles * lit_row::kStride> lit;
+  alignas(64) std::array<float, kBatchTriangles * lit_row::kMaxSize> lit;
+  const bool apart = keeps_highlight_apart(batch.mesh->surface);
+  const auto lit_size = static_cast<std::size_t>(lit_row_size(batch.mesh->surface));
   for (std::size_t i = 0; i < count; ++i) triangle_row(world, batch.begin + i, &rows[i * stride]);
   light_vertices(batch.mesh->surface, std::span(rows).first(count * stride),
-                 std::span(lit).first(count * lit_row::kStride));
+                 std::span(lit).first(count * lit_size));
   for (std::size_t i = 0; i < count; ++i) {
-    const float* row = &lit[i * lit_row::kStride];
-    batch.mesh->triangle_light[batch.begin + i] = {load(row + lit_row::kBody),
-                                                   load(row + lit_row::kHighlight)};
+    const float* row = &lit[i * lit_size];
+    batch.mesh->triangle_light[batch.begin + i] = {
+        load(row + lit_row::kBody), apart ? load(row + lit_row::kHighlight) : glm::vec3(0.0f)};
   }
 }
 
@@ -55,17 +57,20 @@ void light_mesh_vertices(Workers& workers, std::span<FrameMesh> meshes) {
   const auto vertices = [](const FrameMesh& mesh) { return mesh.world->vertices(); };
   const std::vector<MeshBatch> batches = batches_of(meshes, kBatchVertices, vertices);
   for (FrameMesh& mesh : meshes) {
-    if (mesh.seen) mesh.lit_rows.resize(mesh.world->vertices() * lit_row::kStride);
+    if (!mesh.seen) continue;
+    mesh.lit_rows.resize(mesh.world->vertices() *
+                         static_cast<std::size_t>(lit_row_size(mesh.surface)));
   }
   workers.run(static_cast<int>(batches.size()), [&](int task, int) {
     const MeshBatch& batch = batches[static_cast<std::size_t>(task)];
     const WorldMesh& world = *batch.mesh->world;
     const auto stride = static_cast<std::size_t>(world.row_stride);
+    const auto lit_size = static_cast<std::size_t>(lit_row_size(batch.mesh->surface));
     const std::size_t count = batch.end - batch.begin;
     const std::span<const float> rows = std::span(world.rows).subspan(batch.begin * stride);
     light_vertices(batch.mesh->surface, rows.first(count * stride),
                    std::span(batch.mesh->lit_rows)
-                       .subspan(batch.begin * lit_row::kStride, count * lit_row::kStride));
+                       .subspan(batch.begin * lit_size, count * lit_size));
   });
 }
 

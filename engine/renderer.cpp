@@ -49,7 +49,10 @@ struct Rows {
   int count;
 };
 Rows rows_of(FrameMesh& mesh, ShadingModel shading) {
-  if (shading == ShadingModel::kGouraud) return {mesh.lit_rows, lit_row::kStride, lit_row::kCount};
+  if (shading == ShadingModel::kGouraud) {
+    const int size = lit_row_size(mesh.surface);
+    return {mesh.lit_rows, size, size};
+  }
   return {mesh.world->rows, mesh.world->row_stride, mesh.world->row_count};
 }
 

@@ -25,10 +25,11 @@ inline constexpr int kStride = 8, kStrideWithColour = 12;
 }  // namespace vertex_row
 
 /// A row of a vertex that was lit already: light reflected by the body, highlight, texture place.
-/// The texture multiplies the body's light only; without one the body's light holds the highlight.
+/// The texture multiplies the body's light only; without one the body's light holds the highlight,
+/// and a row ends after its first four floats: lit_row_size().
 namespace lit_row {
 inline constexpr int kBody = 0, kHighlight = 3, kTexcoord = 6;
-inline constexpr int kCount = 8, kStride = 8;
+inline constexpr int kMaxSize = 8;
 }  // namespace lit_row
 
 /// The two parts of a lit triangle, for flat shading.
@@ -51,6 +52,11 @@ struct Surface {
 
 /// Whether lit rows hold the highlight by itself.
 inline bool keeps_highlight_apart(const Surface& surface) { return surface.texture != nullptr; }
+
+/// Floats of a lit row, and from one to the next.
+inline int lit_row_size(const Surface& surface) {
+  return keeps_highlight_apart(surface) ? lit_row::kMaxSize : 4;
+}
 
 /// The shader of a model, for the instruction set in use. kGouraud reads lit rows, kFlat and kUnlit
 /// any row whose texture place is at kTexcoord, the others vertex rows.

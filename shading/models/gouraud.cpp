@@ -33,7 +33,8 @@ void shade_gouraud(const Batch& batch, LinearRgba* out) {
 }
 
 /// Rows turned into arrays, lit, and turned back, a block at a time. Rows are moved by four floats:
-/// (position, n.x), (n.y, n.z, u, v) and (colour, -) become (body, h.r) and (h.g, h.b, u, v).
+/// (position, n.x), (n.y, n.z, u, v) and (colour, -) become (body, h.r) and (h.g, h.b, u, v), the
+/// latter only where the highlight is kept apart.
 class VertexBlock {
  public:
   static constexpr int kSize = 64;
@@ -48,29 +49,45 @@ class VertexBlock {
 
   void light(const float* rows, int count, float* lit_rows) {
     for (int quad = 0; 4 * quad < stride_; ++quad) load_quad(rows + 4 * quad, count, quad);
-    const bool apart = keeps_highlight_apart(surface_);
+    if (keeps_highlight_apart(surface_)) {
+      light_apart(count, lit_rows);
+    } else {
+      light_together(count, lit_rows);
+    }
+  }
+
+ private:
+  void light_together(int count, float* lit_rows) {
+    const Floats d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    illuminate</*kHalfVector=*/false>(
+        surface_, points_, count, [&](int i, Vec3 body, Vec3 highlight) HWY_ATTR {
+          body = add(body, highlight);
+          const bool whole = i + lanes <= count;
+          hn::StoreInterleaved4(body.x, body.y, body.z, hn::Zero(d), d,
+                                whole ? lit_rows + 4 * i : first_);
+          if (!whole) std::copy_n(first_, 4 * (count - i), lit_rows + 4 * i);
+        });
+  }
+
+  void light_apart(int count, float* lit_rows) {
     illuminate</*kHalfVector=*/false>(
         surface_, points_, count, [&](int i, Vec3 body, Vec3 highlight) HWY_ATTR {
           const Floats d;
-          if (!apart) {
-            body = add(body, highlight);
-            highlight = splat(glm::vec3(0.0f));
-          }
           const Vec u = hn::Load(d, in_[vertex_row::kTexcoord] + i);
           const Vec v = hn::Load(d, in_[vertex_row::kTexcoord + 1] + i);
           hn::StoreInterleaved4(body.x, body.y, body.z, highlight.x, d, first_ + 4 * i);
           hn::StoreInterleaved4(highlight.y, highlight.z, u, v, d, second_ + 4 * i);
         });
-    for (int i = 0; i < count; ++i) {
-      std::copy_n(first_ + 4 * i, 4, lit_rows + i * lit_row::kStride);
-      std::copy_n(second_ + 4 * i, 4, lit_rows + i * lit_row::kStride + 4);
+    for (int i = 0; i < count; ++i, lit_rows += lit_row::kMaxSize) {
+      std::copy_n(first_ + 4 * i, 4, lit_rows);
+      std::copy_n(second_ + 4 * i, 4, lit_rows + 4);
     }
   }
 
- private:
   void load_quad(const float* rows, int count, int quad) {
     const Floats d;
-    for (int i = 0; i < count; ++i) std::copy_n(rows + i * stride_, 4, first_ + 4 * i);
+    for (int i = 0; i < count; ++i, rows += stride_) std::copy_n(rows, 4, first_ + 4 * i);
     for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
       Vec a, b, c, e;
       hn::LoadInterleaved4(d, first_ + 4 * i, a, b, c, e);
@@ -94,12 +111,13 @@ void light_vertices(const Surface& surface, std::span<const float> rows,
                     std::span<float> lit_rows) {
   const int stride = surface.vertex_colours ? vertex_row::kStrideWithColour : vertex_row::kStride;
   const std::size_t count = rows.size() / static_cast<std::size_t>(stride);
-  assert(lit_rows.size() >= count * lit_row::kStride);
+  const auto lit_size = static_cast<std::size_t>(lit_row_size(surface));
+  assert(lit_rows.size() >= count * lit_size);
   VertexBlock block(surface, stride);
   for (std::size_t i = 0; i < count; i += VertexBlock::kSize) {
     const std::size_t size = std::min<std::size_t>(VertexBlock::kSize, count - i);
     block.light(rows.data() + i * static_cast<std::size_t>(stride), static_cast<int>(size),
-                lit_rows.data() + i * lit_row::kStride);
+                lit_rows.data() + i * lit_size);
   }
 }
 
