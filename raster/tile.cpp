@@ -18,6 +18,7 @@ void TileBuffer::begin(const TileGrid& grid, int tile, int sample_count) {
   block_rows = grid.tile_height / kBlock;
   stored = stale = 0;
   shown.fill(nullptr);
+  drawn.fill(0);
   block_nearest.fill(std::numeric_limits<float>::infinity());
   // Blocks beyond the target are never the farthest.
   block_farthest.fill(0.0f);

@@ -36,6 +36,8 @@ struct TileBuffer {
   /// Bounds on the depth of what each block shows; of those not stored, exact at the corners.
   std::array<float, kMaxBlocks> block_nearest{};
   alignas(64) std::array<float, kMaxBlocks> block_farthest{};
+  /// How many medium triangles were drawn into a block since its farthest was found.
+  std::array<std::uint8_t, kMaxBlocks> drawn{};
 
   /// Empties the buffer for a tile.
   void begin(const TileGrid& grid, int tile, int sample_count);

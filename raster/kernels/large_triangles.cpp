@@ -105,24 +105,6 @@ HWY_INLINE void draw_samples(const TriangleInTile<kSamples>& in, int column, int
   }
 }
 
-/// The farthest depth among a stored block's samples.
-template <int kSamples>
-HWY_INLINE float farthest_in_block(int column, int row, const TileBuffer& tile) {
-  const F f;
-  constexpr std::size_t kLanes = hn::MaxLanes(F());
-  const auto stride = static_cast<std::size_t>(tile.stride) * kSamples;
-  const float* at = tile.depth.data() + static_cast<std::size_t>(row * kBlock) * stride +
-                    static_cast<std::size_t>(column * kBlock * kSamples);
-  VF most = hn::Zero(f);
-  for (int r = 0; r < kBlock; ++r, at += stride) {
-    HWY_UNROLL(8)
-    for (std::size_t s = 0; s < kBlock * kSamples; s += kLanes) {
-      most = hn::Max(most, hn::Load(f, at + s));
-    }
-  }
-  return hn::GetLane(hn::MaxOfLanes(f, most));
-}
-
 /// The triangle in one block that it touches; `covers` if all of the block's samples are its.
 /// @return whether the block's farthest depth may have come nearer
 template <int kSamples>
@@ -146,7 +128,7 @@ HWY_INLINE bool draw_in_block(const TriangleInTile<kSamples>& in, int column, in
     // Triangles that cover the block only together may hide this one.
     if ((tile.stale & tile.stored & bit) != 0 && range.nearest > tile.block_nearest[at]) {
       tile.stale &= ~bit;
-      tile.block_farthest[at] = farthest_in_block<kSamples>(column, row, tile);
+      tile.block_farthest[at] = farthest_in_block<kSamples>(block, tile);
       if (range.nearest > tile.block_farthest[at]) return true;
     }
   }

@@ -109,7 +109,10 @@ HWY_INLINE void draw_all(const ChunkList<TriangleChunk>& triangles,
         if (group.nearest[k] > tile.farthest) continue;
         const PixelRect box = {group.x0[k], group.y0[k], group.x1[k], group.y1[k]};
         if (box.empty()) continue;
-        store_blocks(blocks_touched(box, tile), parts, tile);
+        const std::uint64_t blocks = blocks_touched(box, tile);
+        if (is_hidden<kSamples>(blocks, group.nearest[k], tile)) continue;
+        store_blocks(blocks, parts, tile);
+        count_drawn(blocks, tile);
         for (const Lanes& samples : parts.part) {
           draw_one(group, k, chunk->id[first + k], samples, tile);
         }

@@ -67,12 +67,11 @@ HWY_INLINE void draw_column(const EdgeColumn (&edge)[3], VI outside, const Trian
   // Exact: rows are below 2^15 and samples lie in sixteenths.
   VF py = hn::Add(hn::Set(f, static_cast<float>(y0)), lanes.y_px);
   const auto stride = static_cast<std::size_t>(tile.stride * Lanes::kSamples);
-  std::size_t at = lanes.place(tile, x, y0);
-  for (int y = y0; y < y1; ++y, at += stride) {
+  float* depth = tile.depth.data() + lanes.place(tile, x, y0);
+  std::uint32_t* id = tile.id.data() + lanes.place(tile, x, y0);
+  for (int y = y0; y < y1; ++y, depth += stride, id += stride) {
     const auto covered = hn::Gt(hn::Or(hn::Or(a, b), hn::Or(c, outside)), minus_one);
     if (!hn::AllFalse(i, covered)) {
-      float* const depth = tile.depth.data() + at;
-      std::uint32_t* const id = tile.id.data() + at;
       const VF z = t.depth(py, row_part);
       const VF old_z = hn::Load(f, depth);
       const VU old_id = hn::Load(u, id);
@@ -141,6 +140,50 @@ HWY_INLINE void store_blocks(std::uint64_t blocks, const LaneParts<kSamples>& pa
                              TileBuffer& tile) {
   for (std::uint64_t left = blocks & ~tile.stored; left != 0; left &= left - 1) {
     store_block(std::countr_zero(left), parts, tile);
+  }
+}
+
+/// The farthest depth among a stored block's samples.
+template <int kSamples>
+HWY_INLINE float farthest_in_block(int block, const TileBuffer& tile) {
+  const F f;
+  constexpr std::size_t kLanes = hn::MaxLanes(F());
+  constexpr int kSide = TileBuffer::kBlock;
+  const int column = block % tile.block_columns, row = block / tile.block_columns;
+  const auto stride = static_cast<std::size_t>(tile.stride) * kSamples;
+  const float* at = tile.depth.data() + static_cast<std::size_t>(row * kSide) * stride +
+                    static_cast<std::size_t>(column * kSide * kSamples);
+  VF most = hn::Zero(f);
+  for (int r = 0; r < kSide; ++r, at += stride) {
+    HWY_UNROLL(8)
+    for (std::size_t s = 0; s < kSide * kSamples; s += kLanes) {
+      most = hn::Max(most, hn::Load(f, at + s));
+    }
+  }
+  return hn::GetLane(hn::MaxOfLanes(f, most));
+}
+
+/// Whether nothing that lies beyond `nearest` can be seen in some blocks. Source: N. Greene,
+/// M. Kass and G. Miller, "Hierarchical Z-buffer visibility", SIGGRAPH 1993, with one level.
+template <int kSamples>
+HWY_INLINE bool is_hidden(std::uint64_t blocks, float nearest, TileBuffer& tile) {
+  constexpr std::uint8_t kEnough = 6;  // triangles drawn, to look at a block anew
+  for (std::uint64_t left = blocks; left != 0; left &= left - 1) {
+    const int block = std::countr_zero(left);
+    const auto at = static_cast<std::size_t>(block);
+    if (nearest > tile.block_farthest[at]) continue;
+    if (tile.drawn[at] < kEnough) return false;
+    tile.drawn[at] = 0;
+    tile.block_farthest[at] = farthest_in_block<kSamples>(block, tile);
+    if (!(nearest > tile.block_farthest[at])) return false;
+  }
+  return true;
+}
+
+HWY_INLINE void count_drawn(std::uint64_t blocks, TileBuffer& tile) {
+  for (std::uint64_t left = blocks; left != 0; left &= left - 1) {
+    std::uint8_t& drawn = tile.drawn[static_cast<std::size_t>(std::countr_zero(left))];
+    drawn = static_cast<std::uint8_t>(drawn + (drawn < 255 ? 1 : 0));
   }
 }
 
