@@ -22,16 +22,23 @@ struct TriangleRecord {
 };
 static_assert(sizeof(TriangleRecord) <= 64);
 
-/// Small and medium triangles as structure of arrays.
-struct TriangleChunk {
-  static constexpr std::size_t kCapacity = 32;
-  /// Each corner's raw Fixed24_8 from the tile's first pixel: y << 16 | x, both signed. They fit,
+/// A small or medium triangle in a tile, as eight words in one half of a cache line: what a worker
+/// writes next to another tile's bin shall touch one line.
+struct alignas(32) BinnedTriangle {
+  /// Three corners' raw Fixed24_8 from the tile's first pixel: y << 16 | x, both signed. They fit,
   /// since a medium triangle reaches less than 32 pixels beyond a tile of at most 64.
-  std::array<std::array<std::uint32_t, kCapacity>, 3> xy;
-  std::array<std::array<float, kCapacity>, 3> z;
-  std::array<std::uint32_t, kCapacity> id;
+  static constexpr std::size_t kXy = 0;
+  static constexpr std::size_t kZ = 3;  ///< their depths' bits
+  static constexpr std::size_t kId = 6;
+  std::array<std::uint32_t, 8> word;
+};
+
+/// Of an odd number of cache lines, lest chunks compete for the same places in a cache.
+struct alignas(64) TriangleChunk {
+  static constexpr std::size_t kCapacity = 32;
   TriangleChunk* next;
   int size;
+  alignas(64) std::array<BinnedTriangle, kCapacity> triangle;
 };
 
 /// Triangles that cover one pixel, at one sample a pixel.

@@ -99,22 +99,26 @@ void BinPixels(const CulledTriangles::Pixels& pixels, std::uint32_t first_id, co
 }
 
 /// Several triangles on their way to the bins.
-struct Lanes {
+struct Leaving {
   Corners at;
-  VF z[3];
-  VU id;
+  VF z0;
+  alignas(64) std::array<BinnedTriangle, hn::MaxLanes(I())> binned;  // but the first four words
 };
 
-HWY_INLINE Lanes load(const CulledTriangles::Snapped& t, std::size_t k, std::uint32_t first_id) {
-  Lanes lanes;
+HWY_INLINE void load(const CulledTriangles::Snapped& t, std::size_t k, std::uint32_t first_id,
+                     Leaving& out) {
+  const F f;
+  const U u;
   HWY_UNROLL(3)
   for (std::size_t v = 0; v < 3; ++v) {
-    lanes.at.x[v] = hn::LoadU(I(), t.x[v].data() + k);
-    lanes.at.y[v] = hn::LoadU(I(), t.y[v].data() + k);
-    lanes.z[v] = hn::LoadU(F(), t.z[v].data() + k);
+    out.at.x[v] = hn::LoadU(I(), t.x[v].data() + k);
+    out.at.y[v] = hn::LoadU(I(), t.y[v].data() + k);
   }
-  lanes.id = hn::Add(hn::LoadU(U(), t.triangle.data() + k), hn::Set(U(), first_id));
-  return lanes;
+  out.z0 = hn::LoadU(f, t.z[0].data() + k);
+  const VU id = hn::Add(hn::LoadU(u, t.triangle.data() + k), hn::Set(u, first_id));
+  const FourVectors<VU> last = {hn::BitCast(u, hn::LoadU(f, t.z[1].data() + k)),
+                                hn::BitCast(u, hn::LoadU(f, t.z[2].data() + k)), id, id};
+  store_fours(u, last, [&](std::size_t j) { return out.binned[j].word.data() + 4; });
 }
 
 /// Appends each of the chosen triangles to a tile of its own.
@@ -129,35 +133,38 @@ struct Binner {
         columns(grid.columns),
         pool(bins.triangle_pool) {}
 
-  HWY_INLINE void append(const Lanes& lanes, VI column, VI row, hn::Mask<I> chosen,
+  HWY_INLINE void append(Leaving& t, VI column, VI row, hn::Mask<I> chosen,
                          std::vector<ChunkList<TriangleChunk>>& lists) const {
     const I i;
     const U u;
     const VI x0 = hn::ShiftLeft<8>(hn::Mul(column, hn::Set(i, across.side)));
     const VI y0 = hn::ShiftLeft<8>(hn::Mul(row, hn::Set(i, down.side)));
     const VI low = hn::Set(i, 0xffff);
-    VU xy[3];
-    HWY_UNROLL(3)
-    for (std::size_t v = 0; v < 3; ++v) {
-      const VI x = hn::And(hn::Sub(lanes.at.x[v], x0), low);
-      xy[v] = hn::BitCast(u, hn::Or(hn::ShiftLeft<16>(hn::Sub(lanes.at.y[v], y0)), x));
+    const auto xy = [&](std::size_t v) HWY_ATTR {
+      const VI x = hn::And(hn::Sub(t.at.x[v], x0), low);
+      return hn::BitCast(u, hn::Or(hn::ShiftLeft<16>(hn::Sub(t.at.y[v], y0)), x));
+    };
+    const FourVectors<VU> first = {xy(0), xy(1), xy(2), hn::BitCast(u, t.z0)};
+    store_fours(u, first, [&](std::size_t j) { return t.binned[j].word.data(); });
+    alignas(64) std::array<std::int32_t, hn::MaxLanes(I())> tile;
+    hn::Store(hn::Add(hn::Mul(row, hn::Set(i, columns)), column), i, tile.data());
+    for (unsigned left = Packer<I>(chosen).bits(); left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      TriangleChunk& chunk = lists[static_cast<std::size_t>(tile[lane])].tail(pool);
+      copy(t.binned[lane], chunk.triangle[static_cast<std::size_t>(chunk.size++)]);
     }
-    const VI tiles = hn::Add(hn::Mul(row, hn::Set(i, columns)), column);
-    for_each_tile(tiles, chosen, [&](const Packer<I>& pack, std::size_t tile) HWY_ATTR {
-      TriangleChunk& chunk = lists[tile].tail(pool, static_cast<int>(hn::Lanes(i)));
-      const auto n = static_cast<std::size_t>(chunk.size);
-      HWY_UNROLL(3)
-      for (std::size_t v = 0; v < 3; ++v) {
-        pack.store(xy[v], chunk.xy[v].data() + n);
-        pack.store(lanes.z[v], chunk.z[v].data() + n);
-      }
-      pack.store(lanes.id, chunk.id.data() + n);
-      chunk.size += static_cast<int>(pack.count());
-    });
+  }
+
+  /// In the halves that were stored just now: a wider load would have to wait for both.
+  static HWY_INLINE void copy(const BinnedTriangle& from, BinnedTriangle& to) {
+    const hn::CappedTag<std::uint32_t, 4> d;
+    for (std::size_t n = 0; n < to.word.size(); n += hn::Lanes(d)) {
+      hn::Store(hn::Load(d, from.word.data() + n), d, to.word.data() + n);
+    }
   }
 
   /// To all tiles that the chosen triangles touch.
-  HWY_INLINE void append_to_all(const Lanes& lanes, const TileEnds& x, const TileEnds& y,
+  HWY_INLINE void append_to_all(Leaving& t, const TileEnds& x, const TileEnds& y,
                                 hn::Mask<I> chosen,
                                 std::vector<ChunkList<TriangleChunk>>& lists) const {
     const I i;
@@ -166,7 +173,7 @@ struct Binner {
     for (auto in_row = chosen; !hn::AllFalse(i, in_row);) {
       VI column = x.first;
       for (auto there = in_row; !hn::AllFalse(i, there);) {
-        append(lanes, column, row, there, lists);
+        append(t, column, row, there, lists);
         column = hn::Add(column, one);
         there = hn::AndNot(hn::Gt(column, x.last), there);
       }
@@ -185,14 +192,15 @@ HWY_INLINE void bin_all(const CulledTriangles::Snapped& t, std::uint32_t first_i
   const I i;
   const auto size = static_cast<std::size_t>(t.size);
   const Binner binner(grid, bins);
+  Leaving leaving;
   for (std::size_t k = 0; k < size; k += hn::Lanes(i)) {
-    const Lanes lanes = load(t, k, first_id);
-    const TileEnds x = tile_ends(lanes.at.x, limits.least_x, limits.most_x, binner.across);
-    const TileEnds y = tile_ends(lanes.at.y, limits.least_y, limits.most_y, binner.down);
+    load(t, k, first_id, leaving);
+    const TileEnds x = tile_ends(leaving.at.x, limits.least_x, limits.most_x, binner.across);
+    const TileEnds y = tile_ends(leaving.at.y, limits.least_y, limits.most_y, binner.down);
     const auto there = first_lanes(i, size - k);
     const auto is_one = hn::And(hn::Eq(x.first, x.last), hn::Eq(y.first, y.last));
-    binner.append(lanes, x.first, y.first, hn::And(there, is_one), within);
-    binner.append_to_all(lanes, x, y, hn::AndNot(is_one, there), others);
+    binner.append(leaving, x.first, y.first, hn::And(there, is_one), within);
+    binner.append_to_all(leaving, x, y, hn::AndNot(is_one, there), others);
   }
 }
 

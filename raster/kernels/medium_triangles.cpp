@@ -23,12 +23,14 @@ struct SetUp {
   alignas(32) std::array<Lanes<std::int32_t>, 3> e, dx, dy;
   alignas(32) Lanes<std::int32_t> x0, y0, x1, y1;  // pixels within the tile, half open
   alignas(32) Lanes<float> anchor_x, anchor_y, z, dz_dx, dz_dy, nearest, farthest;
+  alignas(32) Lanes<std::uint32_t> id;
 };
 
 HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, const PixelRect& rect, SetUp& out) {
   const F f;
   const I i;
-  const Corners c = load_corners(t, k, rect.x0, rect.y0);
+  const Binned binned = load_binned(t, k, rect.x0, rect.y0);
+  const Corners& c = binned.at;
   // The pixels that the box touches, whatever the samples' places in them.
   const VI box_x = hn::Max(hn::ShiftRight<8>(least(c.x)), hn::Set(i, rect.x0));
   const VI box_y = hn::Max(hn::ShiftRight<8>(least(c.y)), hn::Set(i, rect.y0));
@@ -47,7 +49,7 @@ HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, const PixelRect& r
     hn::Store(edge.dx, i, out.dx[at].data());
     hn::Store(edge.dy, i, out.dy[at].data());
   }
-  const DepthPlanes depth = depth_planes(t, k, c);
+  const DepthPlanes depth = depth_planes(c, binned.z[0], binned.z[1], binned.z[2]);
   hn::Store(depth.x_px, f, out.anchor_x.data());
   hn::Store(depth.y_px, f, out.anchor_y.data());
   hn::Store(depth.z, f, out.z.data());
@@ -55,6 +57,7 @@ HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, const PixelRect& r
   hn::Store(depth.dz_dy, f, out.dz_dy.data());
   hn::Store(depth.nearest, f, out.nearest.data());
   hn::Store(depth.farthest, f, out.farthest.data());
+  hn::Store(binned.id, U(), out.id.data());
 }
 
 /// @param x  pixel of the vector's first lane
@@ -71,14 +74,13 @@ HWY_INLINE EdgeColumn edge_column(const SetUp& t, std::size_t edge, std::size_t 
 
 /// One triangle of the group, in columns of a vector's width.
 template <class Lanes>
-HWY_INLINE void draw_one(const SetUp& t, std::size_t k, std::uint32_t id, const Lanes& lanes,
-                         TileBuffer& tile) {
+HWY_INLINE void draw_one(const SetUp& t, std::size_t k, const Lanes& lanes, TileBuffer& tile) {
   const F f;
   const I i;
   const TriangleVectors triangle = {hn::Set(f, t.anchor_x[k]), hn::Set(f, t.anchor_y[k]),
                                     hn::Set(f, t.z[k]),        hn::Set(f, t.dz_dx[k]),
                                     hn::Set(f, t.dz_dy[k]),    hn::Set(f, t.nearest[k]),
-                                    hn::Set(f, t.farthest[k]), hn::Set(U(), id)};
+                                    hn::Set(f, t.farthest[k]), hn::Set(U(), t.id[k])};
   const int first = t.x0[k] & -Lanes::kPixels;
   EdgeColumn edge[3];
   VI step_x[3];
@@ -114,7 +116,7 @@ HWY_INLINE void draw_all(const ChunkList<TriangleChunk>& triangles,
         store_blocks(blocks, parts, tile);
         count_drawn(blocks, tile);
         for (const Lanes& samples : parts.part) {
-          draw_one(group, k, chunk->id[first + k], samples, tile);
+          draw_one(group, k, samples, tile);
         }
       }
     }

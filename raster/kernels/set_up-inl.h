@@ -9,10 +9,12 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstddef>
 
 #include "raster/base/fixed.h"
 #include "raster/bins.h"
+#include "raster/kernels/vertex_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
@@ -30,19 +32,32 @@ struct Corners {
   VI x[3], y[3];
 };
 
-/// Of a tile's triangles [k, k + lanes).
+/// Triangles as bins hold them.
+struct Binned {
+  Corners at;
+  VF z[3];
+  VU id;
+};
+
+/// Of a tile's triangles [k, k + lanes); the last one for those that are not there.
 /// @param x0,y0  the tile's first pixel
-HWY_INLINE Corners load_corners(const TriangleChunk& t, std::size_t k, int x0, int y0) {
+HWY_INLINE Binned load_binned(const TriangleChunk& t, std::size_t k, int x0, int y0) {
+  const F f;
   const I i;
+  const U u;
+  const auto last = static_cast<std::size_t>(t.size - 1);
+  const auto row = [&](std::size_t j) { return t.triangle[std::min(k + j, last)].word.data(); };
+  const auto low = load_fours(u, row);
+  const auto high = load_fours(u, [&](std::size_t j) { return row(j) + 4; });
   const VI tile_x = hn::Set(i, x0 * Fixed24_8::kOne), tile_y = hn::Set(i, y0 * Fixed24_8::kOne);
-  Corners c;
-  HWY_UNROLL(3)
-  for (std::size_t v = 0; v < 3; ++v) {
-    const VI xy = hn::BitCast(i, hn::LoadU(U(), t.xy[v].data() + k));
-    c.x[v] = hn::Add(hn::ShiftRight<16>(hn::ShiftLeft<16>(xy)), tile_x);
-    c.y[v] = hn::Add(hn::ShiftRight<16>(xy), tile_y);
-  }
-  return c;
+  const auto x = [&](VU xy) HWY_ATTR {
+    return hn::Add(hn::ShiftRight<16>(hn::BitCast(i, hn::ShiftLeft<16>(xy))), tile_x);
+  };
+  const auto y = [&](VU xy)
+                     HWY_ATTR { return hn::Add(hn::ShiftRight<16>(hn::BitCast(i, xy)), tile_y); };
+  return {{{x(low.a), x(low.b), x(low.c)}, {y(low.a), y(low.b), y(low.c)}},
+          {hn::BitCast(f, low.d), hn::BitCast(f, high.a), hn::BitCast(f, high.b)},
+          high.c};
 }
 
 HWY_INLINE VI least(const VI (&v)[3]) { return hn::Min(hn::Min(v[0], v[1]), v[2]); }
@@ -93,13 +108,6 @@ HWY_INLINE DepthPlanes depth_planes(const Corners& c, VF z0, VF z1, VF z2) {
           hn::Mul(hn::Mul(num_y, inverse), a_pixel),
           hn::Min(hn::Min(z0, z1), z2),
           hn::Max(hn::Max(z0, z1), z2)};
-}
-
-/// Of a tile's triangles [k, k + lanes).
-HWY_INLINE DepthPlanes depth_planes(const TriangleChunk& t, std::size_t k, const Corners& c) {
-  const F f;
-  return depth_planes(c, hn::LoadU(f, t.z[0].data() + k), hn::LoadU(f, t.z[1].data() + k),
-                      hn::LoadU(f, t.z[2].data() + k));
 }
 
 }  // namespace kinescope::HWY_NAMESPACE

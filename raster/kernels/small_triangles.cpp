@@ -56,7 +56,8 @@ HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, std::span<const Sa
   const F f;
   const I i;
   const PixelRect& rect = tile.rect;
-  Corners c = load_corners(t, k, rect.x0, rect.y0);
+  Binned binned = load_binned(t, k, rect.x0, rect.y0);
+  Corners& c = binned.at;
   const std::size_t count = static_cast<std::size_t>(t.size) - k;
   if (count < hn::Lanes(i)) make_points_beyond(count, c);
   const auto first = [&](VI raw, Fixed24_8 offset, int bound) HWY_ATTR {
@@ -91,7 +92,7 @@ HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, std::span<const Sa
       g.edge[s][e] = hn::ShiftRight<8>(hn::Add(edge.e, shift));
     }
   }
-  const DepthPlanes depth = depth_planes(t, k, c);
+  const DepthPlanes depth = depth_planes(c, binned.z[0], binned.z[1], binned.z[2]);
   g.z = depth.z;
   g.dz_dx = depth.dz_dx;
   g.dz_dy = depth.dz_dy;
@@ -102,7 +103,7 @@ HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, std::span<const Sa
     g.from_x[s] = hn::Sub(hn::Add(x_px, hn::Set(f, pattern[s].x.to_float())), depth.x_px);
     g.from_y[s] = hn::Sub(hn::Add(y_px, hn::Set(f, pattern[s].y.to_float())), depth.y_px);
   }
-  g.id = hn::LoadU(U(), t.id.data() + k);
+  g.id = binned.id;
   const VI base = hn::Set(i, -rect.y0 * tile.stride - rect.x0);
   g.pixel = hn::BitCast(U(), hn::Add(hn::Add(hn::Mul(y, hn::Set(i, tile.stride)), x), base));
 }
