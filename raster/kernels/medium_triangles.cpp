@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "raster/kernels/cull.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/kernels/medium_triangles.cpp"
 #include <hwy/foreach_target.h>
@@ -13,6 +15,12 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
+
+/// Columns of vectors of `pixels` each that a medium triangle may touch.
+constexpr std::size_t most_columns(std::size_t pixels) {
+  return (CulledTriangles::kMediumPx + 2) / pixels + 2;
+}
+
 /// Several triangles, set up at once, each to be drawn alone.
 struct SetUp {
   static constexpr std::size_t kLanes = 8;
@@ -24,31 +32,90 @@ struct SetUp {
   alignas(32) Lanes<std::int32_t> x0, y0, x1, y1;  // pixels within the tile, half open
   alignas(32) Lanes<float> anchor_x, anchor_y, z, dz_dx, dz_dy, nearest, farthest;
   alignas(32) Lanes<std::uint32_t> id;
+  /// Of each column: the rows from y0 where a sample may be covered, half open.
+  alignas(32) std::array<Lanes<std::int32_t>, most_columns(1)> first_row, end_row;
 };
 
-HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, const PixelRect& rect, SetUp& out) {
+/// Finds the rows of columns that are `pixels` wide and begin at multiples of it. In a column an
+/// edge is greatest at one end, and there linear in the row, so that it bounds the rows on one side.
+HWY_INLINE void find_rows(const Edge (&edge)[3], VI x0, VI end_x, VI rows, const SampleLimits& limits,
+                          int pixels, SetUp& out) {
+  const F f;
+  const I i;
+  const VI zero = hn::Zero(i);
+  const VI begin = hn::And(x0, hn::Set(i, -pixels)), ahead = hn::Sub(x0, begin);
+  const auto greater = [&](VI side, Fixed24_8 a, Fixed24_8 b) HWY_ATTR {
+    return hn::Max(hn::Mul(side, hn::Set(i, a.raw())), hn::Mul(side, hn::Set(i, b.raw())));
+  };
+  VF most[3], step[3], inverse[3];
+  hn::Mask<F> rises[3];
+  HWY_UNROLL(3)
+  for (int e = 0; e < 3; ++e) {
+    const VI dx = edge[e].dx, dy = edge[e].dy, fall = hn::Neg(dy);
+    const VI raw = hn::Add(hn::Add(edge[e].e, greater(dx, limits.least_y, limits.most_y)),
+                           greater(fall, limits.least_x, limits.most_x));
+    const VI at_end = hn::Mul(hn::Max(fall, zero), hn::Set(i, pixels - 1));
+    const VI value = hn::Add(hn::Add(hn::ShiftRight<8>(raw), hn::Mul(ahead, dy)), at_end);
+    // Whole numbers: half a unit more changes no sign, and outweighs what is rounded below.
+    most[e] = hn::Add(hn::ConvertTo(f, value), hn::Set(f, 0.5f));
+    step[e] = hn::ConvertTo(f, hn::Mul(dy, hn::Set(i, pixels)));
+    const VF run = hn::ConvertTo(f, dx);
+    inverse[e] = hn::IfThenElse(hn::Eq(run, hn::Zero(f)), hn::Set(f, -1e9f),
+                                hn::Div(hn::Set(f, 1.0f), run));
+    rises[e] = hn::Gt(run, hn::Zero(f));
+  }
+  const VF end = hn::ConvertTo(f, rows), one = hn::Set(f, 1.0f);
+  const int width = hn::GetLane(hn::MaxOfLanes(i, hn::Sub(end_x, begin)));
+  for (std::size_t c = 0; static_cast<int>(c) * pixels < width; ++c) {
+    VF first = hn::Zero(f), last = hn::Sub(end, one);
+    HWY_UNROLL(3)
+    for (int e = 0; e < 3; ++e) {
+      const VF row = hn::Neg(hn::Mul(most[e], inverse[e]));
+      first = hn::IfThenElse(rises[e], hn::Max(first, row), first);
+      last = hn::IfThenElse(rises[e], last, hn::Min(last, row));
+      most[e] = hn::Sub(most[e], step[e]);
+    }
+    last = hn::Floor(hn::Max(last, hn::Set(f, -1.0f)));
+    hn::Store(hn::ConvertTo(i, hn::Ceil(hn::Min(first, end))), i, out.first_row[c].data());
+    hn::Store(hn::ConvertTo(i, hn::Add(last, one)), i, out.end_row[c].data());
+  }
+}
+
+/// @param pixels  columns of a vector
+HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, const SampleLimits& limits,
+                       const PixelRect& rect, int pixels, SetUp& out) {
   const F f;
   const I i;
   const Binned binned = load_binned(t, k, rect.x0, rect.y0);
   const Corners& c = binned.at;
-  // The pixels that the box touches, whatever the samples' places in them.
-  const VI box_x = hn::Max(hn::ShiftRight<8>(least(c.x)), hn::Set(i, rect.x0));
-  const VI box_y = hn::Max(hn::ShiftRight<8>(least(c.y)), hn::Set(i, rect.y0));
   const VI one = hn::Set(i, 1);
-  const VI end_x = hn::Min(hn::Add(hn::ShiftRight<8>(most(c.x)), one), hn::Set(i, rect.x1));
-  const VI end_y = hn::Min(hn::Add(hn::ShiftRight<8>(most(c.y)), one), hn::Set(i, rect.y1));
+  const auto first = [&](VI raw, Fixed24_8 offset, int bound) HWY_ATTR {
+    return hn::Max(hn::ShiftRight<8>(hn::Add(raw, hn::Set(i, 255 - offset.raw()))),
+                   hn::Set(i, bound));
+  };
+  const auto end = [&](VI raw, Fixed24_8 offset, int bound) HWY_ATTR {
+    const VI last = hn::ShiftRight<8>(hn::Sub(raw, hn::Set(i, offset.raw())));
+    return hn::Min(hn::Add(last, one), hn::Set(i, bound));
+  };
+  const VI box_x = first(least(c.x), limits.most_x, rect.x0);
+  const VI box_y = first(least(c.y), limits.most_y, rect.y0);
+  const VI end_x = end(most(c.x), limits.least_x, rect.x1);
+  const VI end_y = end(most(c.y), limits.least_y, rect.y1);
   hn::Store(box_x, i, out.x0.data());
   hn::Store(box_y, i, out.y0.data());
   hn::Store(end_x, i, out.x1.data());
   hn::Store(end_y, i, out.y1.data());
   const VI corner_x = hn::ShiftLeft<8>(box_x), corner_y = hn::ShiftLeft<8>(box_y);
+  Edge edge[3];
+  HWY_UNROLL(3)
   for (int v = 0; v < 3; ++v) {
-    const Edge edge = edge_at(c, v, corner_x, corner_y);
+    edge[v] = edge_at(c, v, corner_x, corner_y);
     const auto at = static_cast<std::size_t>(v);
-    hn::Store(edge.e, i, out.e[at].data());
-    hn::Store(edge.dx, i, out.dx[at].data());
-    hn::Store(edge.dy, i, out.dy[at].data());
+    hn::Store(edge[v].e, i, out.e[at].data());
+    hn::Store(edge[v].dx, i, out.dx[at].data());
+    hn::Store(edge[v].dy, i, out.dy[at].data());
   }
+  find_rows(edge, box_x, end_x, hn::Sub(end_y, box_y), limits, pixels, out);
   const DepthPlanes depth = depth_planes(c, binned.z[0], binned.z[1], binned.z[2]);
   hn::Store(depth.x_px, f, out.anchor_x.data());
   hn::Store(depth.y_px, f, out.anchor_y.data());
@@ -84,12 +151,23 @@ HWY_INLINE void draw_one(const SetUp& t, std::size_t k, const Lanes& lanes, Tile
   const int first = t.x0[k] & -Lanes::kPixels;
   EdgeColumn edge[3];
   VI step_x[3];
+  HWY_UNROLL(3)
   for (std::size_t e = 0; e < 3; ++e) {
     edge[e] = edge_column(t, e, k, lanes, first);
     step_x[e] = hn::Set(i, Lanes::kPixels * t.dy[e][k]);
   }
-  for (int x = first; x < t.x1[k]; x += Lanes::kPixels) {
-    draw_column(edge, hn::Zero(i), triangle, lanes, x, t.y0[k], t.y1[k], tile);
+  for (int x = first, c = 0; x < t.x1[k]; x += Lanes::kPixels, ++c) {
+    const auto column = static_cast<std::size_t>(c);
+    const int y0 = t.first_row[column][k], y1 = t.end_row[column][k];
+    if (y0 < y1) {
+      EdgeColumn at_row[3];
+      HWY_UNROLL(3)
+      for (std::size_t e = 0; e < 3; ++e) {
+        at_row[e] = {hn::Add(edge[e].value, hn::Set(i, y0 * t.dx[e][k])), edge[e].step_y};
+      }
+      draw_column(at_row, hn::Zero(i), triangle, lanes, x, t.y0[k] + y0, t.y0[k] + y1, tile);
+    }
+    HWY_UNROLL(3)
     for (std::size_t e = 0; e < 3; ++e) edge[e].value = hn::Sub(edge[e].value, step_x[e]);
   }
 }
@@ -101,12 +179,13 @@ HWY_INLINE void draw_all(const ChunkList<TriangleChunk>& triangles,
   const I i;
   const auto lanes = static_cast<std::size_t>(hn::Lanes(i));
   const LaneParts<kSamples> parts(pattern);
+  const SampleLimits limits = sample_limits(pattern);
   SetUp group;
   for (const TriangleChunk* chunk = triangles.first; chunk != nullptr; chunk = chunk->next) {
     const auto size = static_cast<std::size_t>(chunk->size);
     for (std::size_t first = 0; first < size; first += lanes) {
       prefetch(chunk->next, first / lanes, TriangleChunk::kCapacity / lanes);
-      set_up(*chunk, first, tile.rect, group);
+      set_up(*chunk, first, limits, tile.rect, Lanes::kPixels, group);
       for (std::size_t k = 0; k < std::min(lanes, size - first); ++k) {
         if (group.nearest[k] > tile.farthest) continue;
         const PixelRect box = {group.x0[k], group.y0[k], group.x1[k], group.y1[k]};
