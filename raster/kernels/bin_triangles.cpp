@@ -146,13 +146,16 @@ struct Binner {
     };
     const FourVectors<VU> first = {xy(0), xy(1), xy(2), hn::BitCast(u, t.z0)};
     store_fours(u, first, [&](std::size_t j) { return t.binned[j].word.data(); });
-    alignas(64) std::array<std::int32_t, hn::MaxLanes(I())> tile;
-    hn::Store(hn::Add(hn::Mul(row, hn::Set(i, columns)), column), i, tile.data());
-    for (unsigned left = Packer<I>(chosen).bits(); left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      TriangleChunk& chunk = lists[static_cast<std::size_t>(tile[lane])].tail(pool);
-      copy(t.binned[lane], chunk.triangle[static_cast<std::size_t>(chunk.size++)]);
-    }
+    const VI tiles = hn::Add(hn::Mul(row, hn::Set(i, columns)), column);
+    for_each_tile(tiles, chosen, [&](const Packer<I>& pack, std::size_t tile) HWY_ATTR {
+      const int count = static_cast<int>(pack.count());
+      TriangleChunk& chunk = lists[tile].tail(pool, count);
+      BinnedTriangle* to = chunk.triangle.data() + chunk.size;
+      chunk.size += count;
+      for (unsigned lanes = pack.bits(); lanes != 0; lanes &= lanes - 1, ++to) {
+        copy(t.binned[static_cast<std::size_t>(std::countr_zero(lanes))], *to);
+      }
+    });
   }
 
   /// In the halves that were stored just now: a wider load would have to wait for both.
