@@ -26,7 +26,7 @@ static_assert(sizeof(TriangleRecord) <= 64);
 /// writes next to another tile's bin shall touch one line.
 struct alignas(32) BinnedTriangle {
   /// Three corners' raw Fixed24_8 from the tile's first pixel: y << 16 | x, both signed. They fit,
-  /// since a medium triangle reaches less than 32 pixels beyond a tile of at most 64.
+  /// since a medium triangle reaches less than 64 pixels beyond a tile of at most 64.
   static constexpr std::size_t kXy = 0;
   static constexpr std::size_t kZ = 3;  ///< their depths' bits
   static constexpr std::size_t kId = 6;

@@ -187,7 +187,7 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits,
                                hn::Lt(hn::Max(ey.first, zero), hn::Min(ey.end, height)));
   // Up to 64 pixels the area fits 32 bits.
   const VI extent = hn::Max(ex.raw, ey.raw);
-  const auto fits = hn::Lt(extent, hn::Set(i, 64 * 256));
+  const auto fits = hn::Lt(extent, hn::Set(i, CulledTriangles::kMostMediumPx * 256));
   const VI area = hn::Sub(hn::Mul(hn::Sub(b.x, a.x), hn::Sub(c.y, a.y)),
                           hn::Mul(hn::Sub(c.x, a.x), hn::Sub(b.y, a.y)));
   const auto front = hn::Lt(area, zero), back = hn::Gt(area, zero);
@@ -202,8 +202,12 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits,
                               hn::Or(hn::Gt(ex.end, width), hn::Gt(ey.end, height)));
   const auto below = [&](int px) HWY_ATTR { return hn::Lt(extent, hn::Set(i, px * 256)); };
   const auto fits_small = hn::AndNot(outside, hn::And(keep, below(CulledTriangles::kSmallPx)));
-  const auto is_medium = hn::AndNot(fits_small, hn::And(keep, below(CulledTriangles::kMediumPx)));
-  const auto is_large = hn::AndNot(below(CulledTriangles::kMediumPx), keep);
+  // As high as the triangle is over its longer side.
+  const VI thin = hn::Mul(extent, hn::Set(i, CulledTriangles::kThinPx * 256));
+  const auto is_thin = hn::And(fits, hn::Lt(hn::Abs(area), thin));
+  const auto fits_medium = hn::Or(below(CulledTriangles::kMediumPx), is_thin);
+  const auto is_medium = hn::AndNot(fits_small, hn::And(keep, fits_medium));
+  const auto is_large = hn::AndNot(fits_medium, keep);
   const VU triangle = lanes_from(u, first);
   append_large(is_large, triangle, out);
   const Turned t = turned(a, b, c, front);

@@ -19,8 +19,9 @@ struct TriangleRange {
 
 /// Triangles that survived, up to one range of them.
 struct CulledTriangles {
-  /// Boxes of less than this many pixels, both ways, are small; then medium.
-  static constexpr int kSmallPx = 8, kMediumPx = 32;
+  /// Boxes of less than this many pixels, both ways, are small; then medium, and the longer ones of
+  /// triangles so thin that hardly a block of 8x8 pixels lies within.
+  static constexpr int kSmallPx = 8, kMediumPx = 32, kMostMediumPx = 64, kThinPx = 28;
   static constexpr std::size_t kCapacity = TriangleRange::kMaxCount + 16;
   /// Turned to positive area; raw Fixed24_8, depths in [0, 1], index in the call.
   struct Snapped {
@@ -41,7 +42,7 @@ struct CulledTriangles {
   Pixels pixels;
   Snapped medium;
 
-  /// The others: index in the call. Those of more than 64 pixels are not culled by facing yet.
+  /// The others: index in the call. Those of kMostMediumPx are not culled by facing yet.
   int large_size = 0;
   alignas(64) std::array<std::uint32_t, kCapacity> large_triangle;
 };

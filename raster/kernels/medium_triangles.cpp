@@ -18,7 +18,7 @@ namespace kinescope::HWY_NAMESPACE {
 
 /// Columns of vectors of `pixels` each that a medium triangle may touch.
 constexpr std::size_t most_columns(std::size_t pixels) {
-  return (CulledTriangles::kMediumPx + 2) / pixels + 2;
+  return (CulledTriangles::kMostMediumPx + 2) / pixels + 2;
 }
 
 /// Several triangles, set up at once, each to be drawn alone.

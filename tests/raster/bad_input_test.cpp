@@ -217,6 +217,8 @@ TEST(BadInput, AFrameThatMemoryCannotHoldEndsInOneLine) {
     }
     std::_Exit(0);
   };
+  // In a process of its own, whose heap holds nothing that other tests gave back.
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(draw_with_little_memory(), testing::ExitedWithCode(3),
               "no memory to draw this frame; fewer samples need less");
 }
