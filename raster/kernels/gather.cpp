@@ -89,12 +89,13 @@ HWY_INLINE void gather_eight(const std::uint32_t* ids, std::uint32_t xy, Visible
     return bits;
   };
   auto n = static_cast<std::size_t>(out.size);
-  for (std::uint32_t left = 0xff & ~same_as(TileBuffer::kNothing); left != 0; ++n) {
+  for (std::uint32_t left = 0xff; left != 0;) {
     const std::uint32_t id = ids[std::countr_zero(left)];
     const std::uint32_t same = same_as(id);
     out.id[n] = id;
     out.xy[n] = xy;
     out.weight[n] = static_cast<std::uint8_t>(std::popcount(same));
+    n += id != TileBuffer::kNothing ? 1 : 0;
     left &= ~same;
   }
   out.size = static_cast<int>(n);
