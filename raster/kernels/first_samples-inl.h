@@ -9,9 +9,10 @@
 
 #include <hwy/highway.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+
+#include "raster/kernels/vertex_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kinescope::HWY_NAMESPACE {
@@ -31,15 +32,17 @@ HWY_INLINE hn::Vec<U> first_samples(U u, const std::uint32_t* ids, hn::Mask<U> w
     agree = hn::AllFalse(u, hn::And(within, hn::Ne(differ, hn::Zero(u))));
     return a;
   } else {
-    HWY_ALIGN std::array<std::uint32_t, 8> first;
-    HWY_ALIGN std::array<std::uint32_t, 8> differ;
-    for (std::size_t k = 0; k < hn::Lanes(u); ++k, ids += kSamples) {
-      first[k] = ids[0];
-      differ[k] = 0;
-      for (int s = 1; s < kSamples; ++s) differ[k] |= ids[s] ^ ids[0];
+    static_assert(kSamples == 8);
+    auto differ = hn::Zero(u);
+    for (std::size_t k = 0; k < hn::CountTrue(u, within); ++k) {
+      const auto first = hn::Set(u, ids[k * kSamples]);
+      HWY_UNROLL(8)
+      for (std::size_t s = 0; s < kSamples; s += hn::MaxLanes(U())) {
+        differ = hn::Or(differ, hn::Xor(first, hn::Load(u, ids + k * kSamples + s)));
+      }
     }
-    agree = hn::AllFalse(u, hn::And(within, hn::Ne(hn::Load(u, differ.data()), hn::Zero(u))));
-    return hn::Load(u, first.data());
+    agree = hn::AllTrue(u, hn::Eq(differ, hn::Zero(u)));
+    return load_fours(u, [&](std::size_t k) { return ids + k * kSamples; }).a;
   }
 }
 

@@ -185,6 +185,8 @@ constexpr auto kSteps = [] {
   return steps;
 }();
 
+static_assert(FragmentBuffer::kEnough + 8 * (kMaxSteps * kMaxSteps + 1) <= FragmentBuffer::kCapacity);
+
 /// Appends the fragments of all hits, for which there is room.
 template <int kSamples>
 HWY_INLINE void append(const Group<kSamples>& g, const Hits<kSamples>& hits, int stride,
@@ -229,10 +231,8 @@ HWY_INLINE void draw_all(const ChunkList<TriangleChunk>& triangles,
       if (group.box.empty()) continue;
       find_hits<kSamples, kWithin>(group, hits);
       store_blocks(blocks_touched(group.box, tile), parts, tile);
-      if (buffer.size + lanes * (hits.size + 1) > FragmentBuffer::kCapacity) {
-        merge_fragments<kSamples>(buffer, tile);
-      }
       append(group, hits, tile.stride, buffer);
+      if (buffer.size > FragmentBuffer::kEnough) merge_fragments<kSamples>(buffer, tile);
     }
   }
   merge_fragments<kSamples>(buffer, tile);

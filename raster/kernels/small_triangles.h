@@ -13,7 +13,9 @@ namespace kinescope {
 
 /// Fragments of pixels of a tile, one a pixel and triangle, on their way to the depth test.
 struct FragmentBuffer {
-  /// Not a power of two, lest its arrays compete for the same lines of a cache.
+  /// More of them are tested at once, while they are in a first-level cache.
+  static constexpr std::size_t kEnough = 192;
+  /// Those and a group of triangles. Not a power of two, lest arrays compete for the same lines.
   static constexpr std::size_t kCapacity = 1024 + 16;
   alignas(64) std::array<std::uint32_t, kCapacity> pixel;  ///< row * tile_width + column
   alignas(64) std::array<std::uint32_t, kCapacity> id;
