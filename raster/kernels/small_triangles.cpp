@@ -86,6 +86,7 @@ HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, std::span<const Sa
     g.dy[e] = edge.dy;
     // E / 256, rounded down, keeps the sign, since pixels lie 256 raw units apart and a step by one
     // adds whole numbers, -dy or dx.
+    HWY_UNROLL(8)
     for (std::size_t s = 0; s < kSamples; ++s) {
       const VI shift = hn::Sub(hn::Mul(edge.dx, hn::Set(i, pattern[s].y.raw())),
                                hn::Mul(edge.dy, hn::Set(i, pattern[s].x.raw())));
@@ -99,6 +100,7 @@ HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, std::span<const Sa
   g.nearest = depth.nearest;
   g.farthest = depth.farthest;
   const VF x_px = hn::ConvertTo(f, x), y_px = hn::ConvertTo(f, y);
+  HWY_UNROLL(8)
   for (std::size_t s = 0; s < kSamples; ++s) {
     g.from_x[s] = hn::Sub(hn::Add(x_px, hn::Set(f, pattern[s].x.to_float())), depth.x_px);
     g.from_y[s] = hn::Sub(hn::Add(y_px, hn::Set(f, pattern[s].y.to_float())), depth.y_px);
@@ -138,6 +140,7 @@ HWY_INLINE void find_hits(const Group<kSamples>& g, Hits<kSamples>& hits) {
   const VI one = hn::Set(i, 1);
   // Along the box: the first sample's edges, which all others differ from by constants.
   VI row[3] = {g.edge[0][0], g.edge[0][1], g.edge[0][2]}, others[kSamples][3];
+  HWY_UNROLL(8)
   for (std::size_t s = 1; s < kSamples; ++s) {
     HWY_UNROLL(3)
     for (int e = 0; e < 3; ++e) others[s][e] = hn::Sub(g.edge[s][e], row[e]);
@@ -156,6 +159,7 @@ HWY_INLINE void find_hits(const Group<kSamples>& g, Hits<kSamples>& hits) {
       hit.row = static_cast<std::uint8_t>(r);
       if constexpr (kSamples > 1) {
         hit.covered[0] = bits_where_covered(outside);
+        HWY_UNROLL(8)
         for (std::size_t s = 1; s < kSamples; ++s) {
           VI at = hn::Or(hn::Or(hn::Add(e0, others[s][0]), hn::Add(e1, others[s][1])),
                          hn::Add(e2, others[s][2]));
@@ -201,6 +205,7 @@ HWY_INLINE void append(const Group<kSamples>& g, const Hits<kSamples>& hits, int
     pack.store(hn::Add(g.pixel, hn::Set(U(), pixel)), to.pixel.data() + n);
     pack.store(g.id, to.id.data() + n);
     const VF column = hn::Set(f, kSteps[hit.column]), row = hn::Set(f, kSteps[hit.row]);
+    HWY_UNROLL(8)
     for (std::size_t s = 0; s < kSamples; ++s) {
       // DepthPlane::at, with its roundings.
       const VF row_z = hn::Add(g.z, hn::Mul(g.dz_dy, hn::Add(g.from_y[s], row)));
