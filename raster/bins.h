@@ -35,7 +35,7 @@ struct alignas(32) BinnedTriangle {
 
 /// Of an odd number of cache lines, lest chunks compete for the same places in a cache.
 struct alignas(64) TriangleChunk {
-  static constexpr std::size_t kCapacity = 32;
+  static constexpr std::size_t kCapacity = 24;
   TriangleChunk* next;
   int size;
   alignas(64) std::array<BinnedTriangle, kCapacity> triangle;

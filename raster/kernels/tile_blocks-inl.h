@@ -167,7 +167,7 @@ HWY_INLINE float farthest_in_block(int block, const TileBuffer& tile) {
 /// M. Kass and G. Miller, "Hierarchical Z-buffer visibility", SIGGRAPH 1993, with one level.
 template <int kSamples>
 HWY_INLINE bool is_hidden(std::uint64_t blocks, float nearest, TileBuffer& tile) {
-  constexpr std::uint8_t kEnough = 6;  // triangles drawn, to look at a block anew
+  constexpr std::uint8_t kEnough = 10;  // triangles drawn, to look at a block anew
   for (std::uint64_t left = blocks; left != 0; left &= left - 1) {
     const int block = std::countr_zero(left);
     const auto at = static_cast<std::size_t>(block);
