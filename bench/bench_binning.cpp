@@ -15,7 +15,7 @@ constexpr int kWidth = 1920, kHeight = 1080, kTriangles = 64 * TriangleRange::kM
 /// The front end's buffers, and its steps as Rasterizer::draw takes them.
 struct FrontEnd {
   explicit FrontEnd(int samples)
-      : pattern(sample_pattern(samples)), grid(kWidth, kHeight, samples == 1 ? 64 : 32, 32) {}
+      : pattern(sample_pattern(samples)), grid(kWidth, kHeight, samples == 8 ? 32 : 64, 32) {}
 
   void cull(const DrawCall& call, std::uint32_t first) {
     cull_triangles(call, first, TriangleRange::kMaxCount, pattern, grid, true, *culled);

@@ -68,9 +68,9 @@ void light_mesh_vertices(Workers& workers, std::span<FrameMesh> meshes) {
     const auto lit_size = static_cast<std::size_t>(lit_row_size(batch.mesh->surface));
     const std::size_t count = batch.end - batch.begin;
     const std::span<const float> rows = std::span(world.rows).subspan(batch.begin * stride);
-    light_vertices(batch.mesh->surface, rows.first(count * stride),
-                   std::span(batch.mesh->lit_rows)
-                       .subspan(batch.begin * lit_size, count * lit_size));
+    light_vertices(
+        batch.mesh->surface, rows.first(count * stride),
+        std::span(batch.mesh->lit_rows).subspan(batch.begin * lit_size, count * lit_size));
   });
 }
 

@@ -72,8 +72,8 @@ class ChunkPool {
     chunk->size = 0;
     return chunk;
   }
-  /// Asks for the memory of the chunk that will be taken next: of a mesh's stream of triangles, most
-  /// of the cost of binning is to wait for it.
+  /// Asks for the memory of the chunk that will be taken next: of a mesh's stream of triangles,
+  /// most of the cost of binning is to wait for it.
   void prefetch_next() const {
     if (used_ == blocks_.size() * kBlock) return;
     const auto* const next =

@@ -52,6 +52,13 @@ int checked_tile_side(int side, int chosen) {
   return side;
 }
 
+/// Depth and triangle of a tile's samples take 16 to 64 KB: most blocks are known by a triangle
+/// alone or drawn at once, so that a first-level cache need not hold them all. Colours that are
+/// blended lie beside them, 16 bytes a sample.
+int chosen_tile_width(int samples, bool has_order) {
+  return samples == 8 || (samples == 4 && has_order) ? 32 : 64;
+}
+
 /// Of a call's triangles: whole vectors of them, and enough ranges for all workers, since a few
 /// large triangles may touch every tile.
 std::uint64_t range_size(std::uint64_t triangles) {
@@ -84,17 +91,17 @@ struct Rasterizer::Frame {
 
 void Rasterizer::Frame::begin(RenderTarget& target, std::span<const DrawCall> draw_calls) {
   pattern = sample_pattern(target.samples);
-  // Tiles keep depth and triangle of their samples within a first-level cache.
-  grid = TileGrid(target.width, target.height,
-                  checked_tile_side(options.tile_width, target.samples == 1 ? 64 : 32),
-                  checked_tile_side(options.tile_height, target.samples == 8 ? 16 : 32));
+  phases = phases_of(draw_calls);
+  has_order = std::any_of(phases.begin(), phases.end(),
+                          [](DrawPhase phase) { return phase != DrawPhase::kVisibility; });
+  grid =
+      TileGrid(target.width, target.height,
+               checked_tile_side(options.tile_width, chosen_tile_width(target.samples, has_order)),
+               checked_tile_side(options.tile_height, 32));
   if (target.keep_depth &&
       (target.depth.width() != target.width || target.depth.height() != target.height)) {
     target.depth = Image<float>(target.width, target.height);
   }
-  phases = phases_of(draw_calls);
-  has_order = std::any_of(phases.begin(), phases.end(),
-                          [](DrawPhase phase) { return phase != DrawPhase::kVisibility; });
   for (WorkerState& state : states) {
     state.bins.clear(grid.count());
     state.ordered_bins.clear(has_order ? grid.count() : 0);

@@ -22,9 +22,7 @@ struct TilesAlong {
   int end_px, side;
   std::int32_t per_eight;
   TilesAlong(int end, int tile_side)
-      : end_px(end),
-        side(tile_side),
-        per_eight((65536 + tile_side / 8 - 1) / (tile_side / 8)) {}
+      : end_px(end), side(tile_side), per_eight((65536 + tile_side / 8 - 1) / (tile_side / 8)) {}
 
   HWY_INLINE VI of_pixel(VI px) const {
     return hn::ShiftRight<16>(hn::Mul(hn::ShiftRight<3>(px), hn::Set(I(), per_eight)));

@@ -107,8 +107,8 @@ HWY_INLINE std::size_t find_runs(std::size_t size, BatchStorage& batch) {
   return static_cast<std::size_t>(run) + 1;
 }
 
-/// Rows of a block, and blocks, meet the same triangles again and again: a run of [first, end) whose
-/// triangle had one before joins it.
+/// Rows of a block, and blocks, meet the same triangles again and again: a run of [first, end)
+/// whose triangle had one before joins it.
 /// @param count  runs left of those before. @return runs left of all
 HWY_INLINE std::size_t join_runs(const DrawCall& call, std::size_t first, std::size_t end,
                                  std::size_t count, WeightPlanes& p) {

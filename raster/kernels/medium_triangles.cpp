@@ -37,9 +37,10 @@ struct SetUp {
 };
 
 /// Finds the rows of columns that are `pixels` wide and begin at multiples of it. In a column an
-/// edge is greatest at one end, and there linear in the row, so that it bounds the rows on one side.
-HWY_INLINE void find_rows(const Edge (&edge)[3], VI x0, VI end_x, VI rows, const SampleLimits& limits,
-                          int pixels, SetUp& out) {
+/// edge is greatest at one end, and there linear in the row, so that it bounds the rows on one
+/// side.
+HWY_INLINE void find_rows(const Edge (&edge)[3], VI x0, VI end_x, VI rows,
+                          const SampleLimits& limits, int pixels, SetUp& out) {
   const F f;
   const I i;
   const VI zero = hn::Zero(i);
@@ -60,8 +61,8 @@ HWY_INLINE void find_rows(const Edge (&edge)[3], VI x0, VI end_x, VI rows, const
     most[e] = hn::Add(hn::ConvertTo(f, value), hn::Set(f, 0.5f));
     step[e] = hn::ConvertTo(f, hn::Mul(dy, hn::Set(i, pixels)));
     const VF run = hn::ConvertTo(f, dx);
-    inverse[e] = hn::IfThenElse(hn::Eq(run, hn::Zero(f)), hn::Set(f, -1e9f),
-                                hn::Div(hn::Set(f, 1.0f), run));
+    inverse[e] =
+        hn::IfThenElse(hn::Eq(run, hn::Zero(f)), hn::Set(f, -1e9f), hn::Div(hn::Set(f, 1.0f), run));
     rises[e] = hn::Gt(run, hn::Zero(f));
   }
   const VF end = hn::ConvertTo(f, rows), one = hn::Set(f, 1.0f);

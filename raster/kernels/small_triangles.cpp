@@ -24,13 +24,13 @@ namespace kinescope::HWY_NAMESPACE {
 /// with several samples another.
 constexpr int kMaxSteps = CulledTriangles::kSmallPx + 2;
 
-/// Triangles to be drawn together: step (c, r) looks at the pixel that lies so many columns and rows
-/// from the first of each triangle's box.
+/// Triangles to be drawn together: step (c, r) looks at the pixel that lies so many columns and
+/// rows from the first of each triangle's box.
 template <int kSamples>
 struct Group {
-  VI edge[kSamples][3];  ///< E / 256 at each sample of the first pixel; only its sign counts
-  VI dx[3], dy[3];       ///< how much it rises a row, and falls a column
-  VI columns_left, rows_left;         ///< to the end of the tile
+  VI edge[kSamples][3];        ///< E / 256 at each sample of the first pixel; only its sign counts
+  VI dx[3], dy[3];             ///< how much it rises a row, and falls a column
+  VI columns_left, rows_left;  ///< to the end of the tile
   VF from_x[kSamples], from_y[kSamples];  ///< from the depth planes' anchor to each sample
   VF z, dz_dx, dz_dy, nearest, farthest;
   VU id, pixel;       ///< the first one's place in the tile
@@ -116,7 +116,7 @@ struct Hits {
   static constexpr std::size_t kCapacity = kMaxSteps * kMaxSteps + 1;
   struct Hit {
     std::uint8_t column, row;
-    std::uint8_t any;                             ///< a bit for each triangle that covers a sample
+    std::uint8_t any;                            ///< a bit for each triangle that covers a sample
     std::array<std::uint8_t, kSamples> covered;  ///< and of each sample
   };
   std::array<Hit, kCapacity> hit;
@@ -189,7 +189,8 @@ constexpr auto kSteps = [] {
   return steps;
 }();
 
-static_assert(FragmentBuffer::kEnough + 8 * (kMaxSteps * kMaxSteps + 1) <= FragmentBuffer::kCapacity);
+static_assert(FragmentBuffer::kEnough + 8 * (kMaxSteps * kMaxSteps + 1) <=
+              FragmentBuffer::kCapacity);
 
 /// Appends the fragments of all hits, for which there is room.
 template <int kSamples>

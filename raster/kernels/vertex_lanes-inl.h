@@ -1,6 +1,6 @@
-// Rows of four numbers, one a lane, turned into four vectors and back: vertices and binned triangles
-// lie that way in memory.
-// Included once for each instruction set, hence the unusual guard.
+// Rows of four numbers, one a lane, turned into four vectors and back: vertices and binned
+// triangles lie that way in memory. Included once for each instruction set, hence the unusual
+// guard.
 #if defined(KINESCOPE_RASTER_KERNELS_VERTEX_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef KINESCOPE_RASTER_KERNELS_VERTEX_LANES_INL_H_
 #undef KINESCOPE_RASTER_KERNELS_VERTEX_LANES_INL_H_

@@ -115,10 +115,10 @@ HWY_INLINE void set_attributes(const DrawCall& call, std::size_t k, WeightPlanes
   const std::uint32_t wanted = attributes_of(call);
   const auto store = [&](std::size_t a, hn::Vec<F> base, hn::Vec<F> second, hn::Vec<F> third)
                          HWY_ATTR {
-    hn::StoreU(base, f, p.attribute[0][a].data() + k);
-    hn::StoreU(hn::Sub(second, base), f, p.attribute[1][a].data() + k);
-    hn::StoreU(hn::Sub(third, base), f, p.attribute[2][a].data() + k);
-  };
+                           hn::StoreU(base, f, p.attribute[0][a].data() + k);
+                           hn::StoreU(hn::Sub(second, base), f, p.attribute[1][a].data() + k);
+                           hn::StoreU(hn::Sub(third, base), f, p.attribute[2][a].data() + k);
+                         };
   std::size_t a = 0;
   for (; a < count && a + 4 <= stride; a += 4) {
     if ((wanted >> a & 15) == 0) continue;
@@ -135,7 +135,9 @@ HWY_INLINE void set_attributes(const DrawCall& call, std::size_t k, WeightPlanes
   }
   for (; a < count; ++a) {
     for (std::size_t lane = 0; lane < hn::Lanes(f); ++lane) {
-      const auto at = [&](std::size_t v) { return call.attributes[p.vertex[v][k + lane] * stride + a]; };
+      const auto at = [&](std::size_t v) {
+        return call.attributes[p.vertex[v][k + lane] * stride + a];
+      };
       p.attribute[0][a][k + lane] = at(0);
       p.attribute[1][a][k + lane] = at(1) - at(0);
       p.attribute[2][a][k + lane] = at(2) - at(0);

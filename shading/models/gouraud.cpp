@@ -60,14 +60,15 @@ class VertexBlock {
   void light_together(int count, float* lit_rows) {
     const Floats d;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    illuminate</*kHalfVector=*/false>(
-        surface_, points_, count, [&](int i, Vec3 body, Vec3 highlight) HWY_ATTR {
-          body = add(body, highlight);
-          const bool whole = i + lanes <= count;
-          hn::StoreInterleaved4(body.x, body.y, body.z, hn::Zero(d), d,
-                                whole ? lit_rows + 4 * i : first_);
-          if (!whole) std::copy_n(first_, 4 * (count - i), lit_rows + 4 * i);
-        });
+    illuminate</*kHalfVector=*/false>(surface_, points_, count,
+                                      [&](int i, Vec3 body, Vec3 highlight) HWY_ATTR {
+                                        body = add(body, highlight);
+                                        const bool whole = i + lanes <= count;
+                                        hn::StoreInterleaved4(body.x, body.y, body.z, hn::Zero(d),
+                                                              d, whole ? lit_rows + 4 * i : first_);
+                                        if (!whole)
+                                          std::copy_n(first_, 4 * (count - i), lit_rows + 4 * i);
+                                      });
   }
 
   void light_apart(int count, float* lit_rows) {
