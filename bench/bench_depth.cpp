@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kWidth = 1920, kHeight = 1080;
 
-/// Legs of 2 pixels pass as finished fragments, of 10 and 20 as triangles of middle size.
+/// Legs of 2 pixels make small triangles, of 10 and 20 medium ones.
 void depth_only(benchmark::State& state) {
   const auto leg = static_cast<int>(state.range(0));
   const int count = std::min(200'000, 50'000'000 / (leg * leg));

@@ -22,14 +22,11 @@ struct TriangleRecord {
 };
 static_assert(sizeof(TriangleRecord) <= 64);
 
-/// A small or medium triangle in a tile, as eight words in one half of a cache line: what a worker
-/// writes next to another tile's bin shall touch one line.
+/// A small or medium triangle in a tile, in one half of a cache line, so that to append it touches
+/// one. Words 0 to 2 are its corners' raw Fixed24_8 from the tile's first pixel, y << 16 | x, both
+/// signed; they fit, since a medium triangle reaches less than 64 pixels beyond a tile of at most
+/// 64. Words 3 to 5 are their depths' bits, word 6 is its id, the last is not used.
 struct alignas(32) BinnedTriangle {
-  /// Three corners' raw Fixed24_8 from the tile's first pixel: y << 16 | x, both signed. They fit,
-  /// since a medium triangle reaches less than 64 pixels beyond a tile of at most 64.
-  static constexpr std::size_t kXy = 0;
-  static constexpr std::size_t kZ = 3;  ///< their depths' bits
-  static constexpr std::size_t kId = 6;
   std::array<std::uint32_t, 8> word;
 };
 

@@ -42,11 +42,8 @@ struct TileEnds {
 /// sample in the box.
 HWY_INLINE TileEnds tile_ends(const VI (&raw)[3], Fixed24_8 least_offset, Fixed24_8 most_offset,
                               const TilesAlong& tiles) {
-  const I i;
-  const VI first = hn::Add(least(raw), hn::Set(i, 255 - most_offset.raw()));
-  const VI last = hn::Sub(most(raw), hn::Set(i, least_offset.raw()));
-  return {tiles.of_any_pixel(hn::ShiftRight<8>(first)),
-          tiles.of_any_pixel(hn::ShiftRight<8>(last))};
+  return {tiles.of_any_pixel(first_pixel(least(raw), most_offset)),
+          tiles.of_any_pixel(last_pixel(most(raw), least_offset))};
 }
 
 /// Calls append(pack, tile) for each tile that occurs among some lanes. Neighbours share tiles:

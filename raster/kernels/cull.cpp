@@ -44,11 +44,9 @@ HWY_INLINE Corner load_corner(const DeviceVertex* vertices, const std::uint32_t*
           hn::Add(clamped, hn::Zero(f))};  // -0 becomes 0
 }
 
-HWY_INLINE Extent extent_of(VI a, VI b, VI c, std::int32_t least_offset, std::int32_t most_offset) {
-  const I i;
+HWY_INLINE Extent extent_of(VI a, VI b, VI c, Fixed24_8 least_offset, Fixed24_8 most_offset) {
   const VI lo = hn::Min(hn::Min(a, b), c), hi = hn::Max(hn::Max(a, b), c);
-  return {hn::ShiftRight<8>(hn::Add(lo, hn::Set(i, 255 - most_offset))),
-          hn::Add(hn::ShiftRight<8>(hn::Sub(hi, hn::Set(i, least_offset))), hn::Set(i, 1)),
+  return {first_pixel(lo, most_offset), hn::Add(last_pixel(hi, least_offset), hn::Set(I(), 1)),
           hn::Sub(hi, lo)};
 }
 
@@ -178,10 +176,8 @@ HWY_INLINE void cull_vector(const DrawCall& call, const CullLimits& limits,
   const Corner a = load_corner(call.vertices.data(), index, drawable);
   const Corner b = load_corner(call.vertices.data(), index + 1, drawable);
   const Corner c = load_corner(call.vertices.data(), index + 2, drawable);
-  const Extent ex =
-      extent_of(a.x, b.x, c.x, limits.samples.least_x.raw(), limits.samples.most_x.raw());
-  const Extent ey =
-      extent_of(a.y, b.y, c.y, limits.samples.least_y.raw(), limits.samples.most_y.raw());
+  const Extent ex = extent_of(a.x, b.x, c.x, limits.samples.least_x, limits.samples.most_x);
+  const Extent ey = extent_of(a.y, b.y, c.y, limits.samples.least_y, limits.samples.most_y);
   const VI zero = hn::Zero(i), width = hn::Set(i, limits.width), height = hn::Set(i, limits.height);
   const auto touches = hn::And(hn::Lt(hn::Max(ex.first, zero), hn::Min(ex.end, width)),
                                hn::Lt(hn::Max(ey.first, zero), hn::Min(ey.end, height)));

@@ -42,7 +42,7 @@ struct CulledTriangles {
   Pixels pixels;
   Snapped medium;
 
-  /// The others: index in the call. Those of kMostMediumPx are not culled by facing yet.
+  /// The others: index in the call. Those of kMostMediumPx and more are not culled by facing yet.
   int large_size = 0;
   alignas(64) std::array<std::uint32_t, kCapacity> large_triangle;
 };

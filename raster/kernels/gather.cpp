@@ -19,19 +19,29 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using U = hn::CappedTag<std::uint32_t, 8>;
 
-/// One pixel with several triangles among its samples: each of them once.
+/// One pixel with several triangles among its samples: each of them once, in their order.
 template <int kSamples>
 HWY_INLINE void gather_pixel(const std::uint32_t* ids, std::uint32_t xy, VisibleFragments& out) {
+  const hn::CappedTag<std::uint32_t, kSamples> u;
+  const auto same_as = [&](std::uint32_t id) HWY_ATTR {
+    std::uint32_t bits = 0;
+    HWY_UNROLL(8)
+    for (std::size_t s = 0; s < kSamples; s += hn::Lanes(u)) {
+      std::uint8_t bytes[8] = {};
+      hn::StoreMaskBits(u, hn::Eq(hn::Load(u, ids + s), hn::Set(u, id)), bytes);
+      bits |= std::uint32_t{bytes[0]} << s;
+    }
+    return bits;
+  };
   auto n = static_cast<std::size_t>(out.size);
-  for (int s = 0; s < kSamples; ++s) {
-    int before = 0, after = 1;  // samples with the same triangle
-    for (int other = 0; other < s; ++other) before += ids[other] == ids[s] ? 1 : 0;
-    for (int other = s + 1; other < kSamples; ++other) after += ids[other] == ids[s] ? 1 : 0;
-    // Written either way: nobody can predict which samples agree.
-    out.id[n] = ids[s];
+  for (std::uint32_t left = (1u << kSamples) - 1; left != 0;) {
+    const std::uint32_t id = ids[std::countr_zero(left)];
+    const std::uint32_t same = same_as(id);
+    out.id[n] = id;
     out.xy[n] = xy;
-    out.weight[n] = static_cast<std::uint8_t>(after);
-    n += ((before == 0) & (ids[s] != TileBuffer::kNothing)) ? 1 : 0;
+    out.weight[n] = static_cast<std::uint8_t>(std::popcount(same));
+    n += id != TileBuffer::kNothing ? 1 : 0;
+    left &= ~same;
   }
   out.size = static_cast<int>(n);
 }
@@ -74,33 +84,6 @@ HWY_INLINE void gather_fours(const std::uint32_t* ids, std::size_t within, std::
 }
 #endif
 
-/// One pixel of eight samples: as gather_pixel, one triangle at a time.
-HWY_INLINE void gather_eight(const std::uint32_t* ids, std::uint32_t xy, VisibleFragments& out) {
-  const U u;
-  constexpr std::size_t kLanes = hn::MaxLanes(U());
-  const auto same_as = [&](std::uint32_t id) HWY_ATTR {
-    std::uint32_t bits = 0;
-    HWY_UNROLL(8)
-    for (std::size_t s = 0; s < 8; s += kLanes) {
-      std::uint8_t bytes[8] = {};
-      hn::StoreMaskBits(u, hn::Eq(hn::Load(u, ids + s), hn::Set(u, id)), bytes);
-      bits |= std::uint32_t{bytes[0]} << s;
-    }
-    return bits;
-  };
-  auto n = static_cast<std::size_t>(out.size);
-  for (std::uint32_t left = 0xff; left != 0;) {
-    const std::uint32_t id = ids[std::countr_zero(left)];
-    const std::uint32_t same = same_as(id);
-    out.id[n] = id;
-    out.xy[n] = xy;
-    out.weight[n] = static_cast<std::uint8_t>(std::popcount(same));
-    n += id != TileBuffer::kNothing ? 1 : 0;
-    left &= ~same;
-  }
-  out.size = static_cast<int>(n);
-}
-
 /// Pixels [0, count) of a row, whose samples may disagree.
 template <int kSamples>
 HWY_INLINE void gather_pixels(const std::uint32_t* ids, int count, std::uint32_t xy,
@@ -112,12 +95,7 @@ HWY_INLINE void gather_pixels(const std::uint32_t* ids, int count, std::uint32_t
   }
 #endif
   for (int k = 0; k < count; ++k) {
-    const std::uint32_t at = xy + static_cast<std::uint32_t>(k);
-    if constexpr (kSamples == 8) {
-      gather_eight(ids + k * kSamples, at, out);
-    } else {
-      gather_pixel<kSamples>(ids + k * kSamples, at, out);
-    }
+    gather_pixel<kSamples>(ids + k * kSamples, xy + static_cast<std::uint32_t>(k), out);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "raster/kernels/cull.h"
 
@@ -89,19 +90,11 @@ HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, const SampleLimits
   const I i;
   const Binned binned = load_binned(t, k, rect.x0, rect.y0);
   const Corners& c = binned.at;
-  const VI one = hn::Set(i, 1);
-  const auto first = [&](VI raw, Fixed24_8 offset, int bound) HWY_ATTR {
-    return hn::Max(hn::ShiftRight<8>(hn::Add(raw, hn::Set(i, 255 - offset.raw()))),
-                   hn::Set(i, bound));
-  };
-  const auto end = [&](VI raw, Fixed24_8 offset, int bound) HWY_ATTR {
-    const VI last = hn::ShiftRight<8>(hn::Sub(raw, hn::Set(i, offset.raw())));
-    return hn::Min(hn::Add(last, one), hn::Set(i, bound));
-  };
-  const VI box_x = first(least(c.x), limits.most_x, rect.x0);
-  const VI box_y = first(least(c.y), limits.most_y, rect.y0);
-  const VI end_x = end(most(c.x), limits.least_x, rect.x1);
-  const VI end_y = end(most(c.y), limits.least_y, rect.y1);
+  const VI box_x = hn::Max(first_pixel(least(c.x), limits.most_x), hn::Set(i, rect.x0));
+  const VI box_y = hn::Max(first_pixel(least(c.y), limits.most_y), hn::Set(i, rect.y0));
+  const VI last_x = hn::Min(last_pixel(most(c.x), limits.least_x), hn::Set(i, rect.x1 - 1));
+  const VI last_y = hn::Min(last_pixel(most(c.y), limits.least_y), hn::Set(i, rect.y1 - 1));
+  const VI one = hn::Set(i, 1), end_x = hn::Add(last_x, one), end_y = hn::Add(last_y, one);
   hn::Store(box_x, i, out.x0.data());
   hn::Store(box_y, i, out.y0.data());
   hn::Store(end_x, i, out.x1.data());
@@ -170,6 +163,31 @@ HWY_INLINE void draw_one(const SetUp& t, std::size_t k, const Lanes& lanes, Tile
     }
     HWY_UNROLL(3)
     for (std::size_t e = 0; e < 3; ++e) edge[e].value = hn::Sub(edge[e].value, step_x[e]);
+  }
+}
+
+/// Whether nothing that lies beyond `nearest` can be seen in some blocks. Source: N. Greene,
+/// M. Kass and G. Miller, "Hierarchical Z-buffer visibility", SIGGRAPH 1993, with one level.
+template <int kSamples>
+HWY_INLINE bool is_hidden(std::uint64_t blocks, float nearest, TileBuffer& tile) {
+  constexpr std::uint8_t kEnough = 10;  // triangles drawn, to look at a block anew
+  for (std::uint64_t left = blocks; left != 0; left &= left - 1) {
+    const int block = std::countr_zero(left);
+    const auto at = static_cast<std::size_t>(block);
+    if (nearest > tile.block_farthest[at]) continue;
+    if (tile.drawn[at] < kEnough) return false;
+    tile.drawn[at] = 0;
+    tile.block_farthest[at] = farthest_in_block<kSamples>(block, tile);
+    if (!(nearest > tile.block_farthest[at])) return false;
+  }
+  return true;
+}
+
+/// Another triangle is drawn into some blocks.
+HWY_INLINE void count_drawn(std::uint64_t blocks, TileBuffer& tile) {
+  for (std::uint64_t left = blocks; left != 0; left &= left - 1) {
+    std::uint8_t& drawn = tile.drawn[static_cast<std::size_t>(std::countr_zero(left))];
+    drawn = static_cast<std::uint8_t>(drawn + (drawn < 255 ? 1 : 0));
   }
 }
 

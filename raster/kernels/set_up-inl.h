@@ -63,6 +63,14 @@ HWY_INLINE Binned load_binned(const TriangleChunk& t, std::size_t k, int x0, int
 HWY_INLINE VI least(const VI (&v)[3]) { return hn::Min(hn::Min(v[0], v[1]), v[2]); }
 HWY_INLINE VI most(const VI (&v)[3]) { return hn::Max(hn::Max(v[0], v[1]), v[2]); }
 
+/// The first pixel that may have a sample at a raw place or behind it, and the last one before it.
+HWY_INLINE VI first_pixel(VI raw, Fixed24_8 most_offset) {
+  return hn::ShiftRight<8>(hn::Add(raw, hn::Set(I(), 255 - most_offset.raw())));
+}
+HWY_INLINE VI last_pixel(VI raw, Fixed24_8 least_offset) {
+  return hn::ShiftRight<8>(hn::Sub(raw, hn::Set(I(), least_offset.raw())));
+}
+
 /// The edge from vertex `v` to the next: its sides, and E with the top-left bias at a point within
 /// a pixel of the triangle's box, in raw units squared.
 struct Edge {

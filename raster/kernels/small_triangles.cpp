@@ -60,18 +60,10 @@ HWY_INLINE void set_up(const TriangleChunk& t, std::size_t k, std::span<const Sa
   Corners& c = binned.at;
   const std::size_t count = static_cast<std::size_t>(t.size) - k;
   if (count < hn::Lanes(i)) make_points_beyond(count, c);
-  const auto first = [&](VI raw, Fixed24_8 offset, int bound) HWY_ATTR {
-    return hn::Max(hn::ShiftRight<8>(hn::Add(raw, hn::Set(i, 255 - offset.raw()))),
-                   hn::Set(i, bound));
-  };
-  const auto last = [&](VI raw, Fixed24_8 offset, int bound) HWY_ATTR {
-    return hn::Min(hn::ShiftRight<8>(hn::Sub(raw, hn::Set(i, offset.raw()))),
-                   hn::Set(i, bound - 1));
-  };
-  const VI x = first(least(c.x), limits.most_x, rect.x0);
-  const VI y = first(least(c.y), limits.most_y, rect.y0);
-  const VI last_x = last(most(c.x), limits.least_x, rect.x1);
-  const VI last_y = last(most(c.y), limits.least_y, rect.y1);
+  const VI x = hn::Max(first_pixel(least(c.x), limits.most_x), hn::Set(i, rect.x0));
+  const VI y = hn::Max(first_pixel(least(c.y), limits.most_y), hn::Set(i, rect.y0));
+  const VI last_x = hn::Min(last_pixel(most(c.x), limits.least_x), hn::Set(i, rect.x1 - 1));
+  const VI last_y = hn::Min(last_pixel(most(c.y), limits.least_y), hn::Set(i, rect.y1 - 1));
   g.columns = hn::GetLane(hn::MaxOfLanes(i, hn::Sub(last_x, x))) + 1;
   g.rows = hn::GetLane(hn::MaxOfLanes(i, hn::Sub(last_y, y))) + 1;
   g.box = {hn::GetLane(hn::MinOfLanes(i, x)), hn::GetLane(hn::MinOfLanes(i, y)),

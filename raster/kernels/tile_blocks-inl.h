@@ -163,30 +163,6 @@ HWY_INLINE float farthest_in_block(int block, const TileBuffer& tile) {
   return hn::GetLane(hn::MaxOfLanes(f, most));
 }
 
-/// Whether nothing that lies beyond `nearest` can be seen in some blocks. Source: N. Greene,
-/// M. Kass and G. Miller, "Hierarchical Z-buffer visibility", SIGGRAPH 1993, with one level.
-template <int kSamples>
-HWY_INLINE bool is_hidden(std::uint64_t blocks, float nearest, TileBuffer& tile) {
-  constexpr std::uint8_t kEnough = 10;  // triangles drawn, to look at a block anew
-  for (std::uint64_t left = blocks; left != 0; left &= left - 1) {
-    const int block = std::countr_zero(left);
-    const auto at = static_cast<std::size_t>(block);
-    if (nearest > tile.block_farthest[at]) continue;
-    if (tile.drawn[at] < kEnough) return false;
-    tile.drawn[at] = 0;
-    tile.block_farthest[at] = farthest_in_block<kSamples>(block, tile);
-    if (!(nearest > tile.block_farthest[at])) return false;
-  }
-  return true;
-}
-
-HWY_INLINE void count_drawn(std::uint64_t blocks, TileBuffer& tile) {
-  for (std::uint64_t left = blocks; left != 0; left &= left - 1) {
-    std::uint8_t& drawn = tile.drawn[static_cast<std::size_t>(std::countr_zero(left))];
-    drawn = static_cast<std::uint8_t>(drawn + (drawn < 255 ? 1 : 0));
-  }
-}
-
 }  // namespace kinescope::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
